@@ -1,0 +1,295 @@
+#pragma once
+// One input or output of a model function, and how its C++ member is read, checked and written.
+//
+// The description of a function lists its fields with a pointer to the member each stands for. Everything
+// else (JSON, command line, error messages, generated pages, tests) works from that list through Access.
+
+#include <array>
+#include <cmath>
+#include <concepts>
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "models/catalogue/error.h"
+#include "models/catalogue/range.h"
+#include "models/catalogue/value.h"
+
+namespace verstat::models {
+
+/// Names of an enumeration as users write them: specialise with
+/// `static constexpr std::array names{std::pair{LifeLaw::weibull, "weibull"}, ...};`
+template <class E>
+struct EnumNames;
+
+struct Field;
+
+/// The members of a structure that is itself an input or output (a cam, a band). Specialise with
+/// `static std::vector<Field> fields();`, built from `member(...)` below.
+template <class S>
+struct StructFields;
+
+template <class S>
+concept DescribedStruct = requires {
+  {StructFields<S>::fields()};
+};
+
+/// How one member of a struct is read from and written to a Value. `object` is the struct.
+class Access {
+ public:
+  Access() = default;
+  Access(const Access&) = delete;
+  Access& operator=(const Access&) = delete;
+  virtual ~Access() = default;
+  virtual void read(void* object, const Value& value, const Field& field) const = 0;
+  [[nodiscard]] virtual Value write(const void* object) const = 0;
+  /// Throws DomainError when the member is outside the field's range.
+  virtual void check(const void* object, const Field& field) const = 0;
+  /// True when no NaN or infinity is in it.
+  [[nodiscard]] virtual bool finite(const void* object) const = 0;
+  /// "number", "integer", "flag", "text", "weibull | normal", "list of number", ...
+  [[nodiscard]] virtual std::string type() const = 0;
+};
+
+struct Field {
+  std::string name;     ///< as in the card and in JSON
+  std::string symbol;   ///< as in the paper: "R_z"
+  std::string unit;     ///< "m/min"; "1" for numbers without a unit, "-" for texts and flags
+  Range range;          ///< of a number, or of each number of a list
+  std::string meaning;  ///< one line
+  bool required = true;
+  Value default_value;         ///< when not required
+  Value example;               ///< a value inside the range; the default when none is given
+  std::size_t min_length = 0;  ///< of a list
+  std::size_t max_length = 100'000;
+  std::shared_ptr<const Access> access;
+
+  [[nodiscard]] std::string allowed() const;  ///< "0 < r_tooth < 1 (reliability of one tooth)"
+};
+
+/// Reads the members of a described struct from a map: unknown and missing names are errors that name the
+/// place.
+void read_fields(void* object, const std::vector<Field>& fields, const Value& value, std::string_view place);
+[[nodiscard]] Value write_fields(const void* object, const std::vector<Field>& fields);
+
+namespace detail {
+
+[[noreturn]] void wrong_type(const Field& field, const Value& value, std::string_view expected);
+[[noreturn]] void out_of_range(const Field& field, const Value& value);
+void check_length(const Field& field, std::size_t length);
+double read_number(const Field& field, const Value& value);
+std::int64_t read_integer(const Field& field, const Value& value, std::int64_t low, std::int64_t high);
+[[nodiscard]] Field element_of(const Field& field, std::size_t index);
+
+template <class T>
+struct Binding;
+
+template <>
+struct Binding<double> {
+  static void read(double& to, const Value& v, const Field& f) { to = read_number(f, v); }
+  static Value write(double x) { return x; }
+  static void check(double x, const Field& f) {
+    if (!f.range.contains(x)) out_of_range(f, x);
+  }
+  static bool finite(double x) { return std::isfinite(x); }
+  static std::string type() { return "number"; }
+};
+
+template <class I>
+requires std::integral<I> &&(!std::same_as<I, bool>)struct Binding<I> {
+  static void read(I& to, const Value& v, const Field& f) {
+    to = static_cast<I>(read_integer(f, v, std::numeric_limits<I>::min(), std::numeric_limits<I>::max()));
+  }
+  static Value write(I x) { return static_cast<std::int64_t>(x); }
+  static void check(I x, const Field& f) {
+    if (!f.range.contains(static_cast<double>(x))) out_of_range(f, static_cast<std::int64_t>(x));
+  }
+  static bool finite(I) { return true; }
+  static std::string type() { return "integer"; }
+};
+
+template <>
+struct Binding<bool> {
+  static void read(bool& to, const Value& v, const Field& f) {
+    if (v.boolean() == nullptr) wrong_type(f, v, "true or false");
+    to = *v.boolean();
+  }
+  static Value write(bool x) { return x; }
+  static void check(bool, const Field&) {}
+  static bool finite(bool) { return true; }
+  static std::string type() { return "flag"; }
+};
+
+template <>
+struct Binding<std::string> {
+  static void read(std::string& to, const Value& v, const Field& f) {
+    if (v.text() == nullptr) wrong_type(f, v, "a text");
+    to = *v.text();
+  }
+  static Value write(const std::string& x) { return x; }
+  static void check(const std::string&, const Field&) {}
+  static bool finite(const std::string&) { return true; }
+  static std::string type() { return "text"; }
+};
+
+template <class E>
+requires std::is_enum_v<E>
+struct Binding<E> {
+  static std::string choices() {
+    std::string all;
+    for (const auto& [e, name] : EnumNames<E>::names)
+      all += (all.empty() ? "\"" : ", \"") + std::string(name) + "\"";
+    return all;
+  }
+  static void read(E& to, const Value& v, const Field& f) {
+    if (v.text() != nullptr)
+      for (const auto& [e, name] : EnumNames<E>::names)
+        if (*v.text() == name) {
+          to = e;
+          return;
+        }
+    wrong_type(f, v, "one of " + choices());
+  }
+  static Value write(E x) {
+    for (const auto& [e, name] : EnumNames<E>::names)
+      if (e == x) return name;
+    return {};
+  }
+  static void check(E x, const Field& f) {
+    if (write(x).is_null()) wrong_type(f, static_cast<int>(x), "one of " + choices());
+  }
+  static bool finite(E) { return true; }
+  static std::string type() { return "one of " + choices(); }
+};
+
+template <class T>
+struct Binding<std::optional<T>> {
+  static void read(std::optional<T>& to, const Value& v, const Field& f) {
+    if (v.is_null()) {
+      to.reset();
+      return;
+    }
+    to.emplace();
+    Binding<T>::read(*to, v, f);
+  }
+  static Value write(const std::optional<T>& x) { return x ? Binding<T>::write(*x) : Value(); }
+  static void check(const std::optional<T>& x, const Field& f) {
+    if (x) Binding<T>::check(*x, f);
+  }
+  static bool finite(const std::optional<T>& x) { return !x || Binding<T>::finite(*x); }
+  static std::string type() { return Binding<T>::type() + " or null"; }
+};
+
+template <class T>
+struct Binding<std::vector<T>> {
+  static void read(std::vector<T>& to, const Value& v, const Field& f) {
+    const Value::List* list = v.list();
+    if (list == nullptr) wrong_type(f, v, "a list");
+    check_length(f, list->size());
+    to.clear();
+    to.reserve(list->size());
+    for (std::size_t k = 0; k < list->size(); ++k) {
+      T element{};
+      Binding<T>::read(element, (*list)[k], element_of(f, k));
+      to.push_back(std::move(element));
+    }
+  }
+  static Value write(const std::vector<T>& x) {
+    Value::List list;
+    list.reserve(x.size());
+    for (const auto& element : x) list.push_back(Binding<T>::write(element));
+    return list;
+  }
+  static void check(const std::vector<T>& x, const Field& f) {
+    check_length(f, x.size());
+    for (std::size_t k = 0; k < x.size(); ++k) {
+      // The element's name costs a string: built only for the message.
+      if constexpr (std::is_arithmetic_v<T>) {
+        if (!f.range.contains(static_cast<double>(x[k]))) Binding<T>::check(x[k], element_of(f, k));
+      } else {
+        Binding<T>::check(x[k], element_of(f, k));
+      }
+    }
+  }
+  static bool finite(const std::vector<T>& x) {
+    for (const auto& element : x)
+      if (!Binding<T>::finite(element)) return false;
+    return true;
+  }
+  static std::string type() { return "list of " + Binding<T>::type(); }
+};
+
+template <DescribedStruct S>
+struct Binding<S> {
+  static const std::vector<Field>& fields() {
+    static const std::vector<Field> all = StructFields<S>::fields();
+    return all;
+  }
+  static void read(S& to, const Value& v, const Field& f) { read_fields(&to, fields(), v, f.name); }
+  static Value write(const S& x) { return write_fields(&x, fields()); }
+  static void check(const S& x, const Field&) {
+    for (const Field& field : fields()) field.access->check(&x, field);
+  }
+  static bool finite(const S& x) {
+    for (const Field& field : fields())
+      if (!field.access->finite(&x)) return false;
+    return true;
+  }
+  static std::string type() {
+    std::string members;
+    for (const Field& field : fields()) members += (members.empty() ? "" : ", ") + field.name;
+    return "structure {" + members + "}";
+  }
+};
+
+template <class S, class T>
+class MemberAccess final : public Access {
+ public:
+  explicit MemberAccess(T S::*member) : member_(member) {}
+  void read(void* object, const Value& value, const Field& field) const override {
+    Binding<T>::read(static_cast<S*>(object)->*member_, value, field);
+  }
+  [[nodiscard]] Value write(const void* object) const override {
+    return Binding<T>::write(static_cast<const S*>(object)->*member_);
+  }
+  void check(const void* object, const Field& field) const override {
+    Binding<T>::check(static_cast<const S*>(object)->*member_, field);
+  }
+  [[nodiscard]] bool finite(const void* object) const override {
+    return Binding<T>::finite(static_cast<const S*>(object)->*member_);
+  }
+  [[nodiscard]] std::string type() const override { return Binding<T>::type(); }
+
+ private:
+  T S::*member_;
+};
+
+}  // namespace detail
+
+/// A field of struct S. `required` false: the value a default-constructed S holds is the default.
+template <class S, class T, class B>
+requires std::derived_from<S, B>
+[[nodiscard]] Field member(T B::*pointer, std::string name, std::string symbol, std::string unit, Range range,
+                           std::string meaning, bool required = true) {
+  Field f;
+  f.name = std::move(name);
+  f.symbol = std::move(symbol);
+  f.unit = std::move(unit);
+  f.range = range;
+  f.meaning = std::move(meaning);
+  f.required = required;
+  f.access = std::make_shared<detail::MemberAccess<S, T>>(static_cast<T S::*>(pointer));
+  if (!required) {
+    const S defaults{};
+    f.default_value = f.access->write(&defaults);
+    f.example = f.default_value;
+  }
+  return f;
+}
+
+}  // namespace verstat::models
