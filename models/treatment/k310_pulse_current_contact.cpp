@@ -1,5 +1,6 @@
 #include "models/treatment/k310_pulse_current_contact.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -82,7 +83,7 @@ SetupFeasibility setup_feasible(const SetupRegime& in) {
 TreatmentTime treatment_time(const TreatedArea& in) {
   return guarded<&treatment_time>(in, [&] {
     // 1e-9 keeps a spot count that is whole by design from being rounded up.
-    const double spots = std::ceil(in.area_mm2 / (in.spot_area_mm2 * (1 - in.overlap)) - 1e-9);
+    const double spots = std::max(1.0, std::ceil(in.area_mm2 / (in.spot_area_mm2 * (1 - in.overlap)) - 1e-9));
     const double pulses = spots * static_cast<double>(in.pulses_per_spot);
     require(pulses < 1e15, "area", in.area_mm2, "asks for more than 1e15 pulses");
     return TreatmentTime{static_cast<std::int64_t>(pulses), pulses / (60 * in.frequency_hz)};
