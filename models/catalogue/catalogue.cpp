@@ -42,7 +42,7 @@ Value Function::example_inputs() const {
 
 void Function::check_inputs(const void* in) const {
   try {
-    for (const Field& field : inputs) field.access->check(in, field);
+    check_fields(in, inputs);
   } catch (const DomainError& e) {
     throw ModelError(key, e.input(), e.what());
   }

@@ -81,7 +81,7 @@ struct SourceInfo {
   std::string published;            ///< collection, issue, place, year
   std::string models;               ///< what it models: a paragraph
   std::string role;                 ///< folder of models/: "reliability"
-  std::vector<std::string> errata;  ///< errors found in print and what was done
+  std::vector<std::string> errata = {};  ///< errors found in print and what was done
 };
 
 template <auto F>
@@ -173,7 +173,7 @@ class Source {
     f.provenance = provenance;
     f.call_ = [](const Function& self, const Value& named) {
       In in{};
-      read_fields(&in, self.inputs, named, "");
+      read_fields(&in, self.inputs, named);
       const Out out = F(in);
       return write_fields(&out, self.outputs);
     };

@@ -12,36 +12,72 @@ std::string Field::allowed() const {
   return fmt::format("{} ({})", range.text(name), meaning);
 }
 
-void read_fields(void* object, const std::vector<Field>& fields, const Value& value, std::string_view place) {
-  const std::string prefix = place.empty() ? "" : std::string(place) + "/";
+std::string TypeInfo::text() const {
+  const auto quoted = [](const std::vector<std::string>& names) {
+    std::string all;
+    for (const std::string& name : names) all += (all.empty() ? "\"" : ", \"") + name + "\"";
+    return all;
+  };
+  std::string out;
+  switch (kind) {
+    case Kind::number:
+      out = "number";
+      break;
+    case Kind::integer:
+      out = "integer";
+      break;
+    case Kind::flag:
+      out = "flag";
+      break;
+    case Kind::text:
+      out = "text";
+      break;
+    case Kind::choice:
+      out = "one of " + quoted(choices);
+      break;
+    case Kind::list:
+      out = "list of " + element.front().text();
+      break;
+    case Kind::structure: {
+      std::vector<std::string> names;
+      for (const Field& field : *fields) names.push_back(field.name);
+      out = "structure " + quoted(names);
+      break;
+    }
+    case Kind::alternatives: {
+      std::vector<std::string> names;
+      for (const auto& [name, members] : alternatives) names.push_back(name);
+      out = "structure of kind " + quoted(names);
+      break;
+    }
+  }
+  return nullable ? out + " or null" : out;
+}
+
+void read_fields(void* object, const std::vector<Field>& fields, const Value& value) {
   const Value::Map* members = value.map();
   if (members == nullptr)
-    throw DomainError(std::string(place), fmt::format("{} = {}, must be an object with named values",
-                                                      place.empty() ? "inputs" : place, value.to_string()));
+    throw DomainError("", fmt::format(" = {}, must be an object with named values", value.to_string()));
   for (const auto& [key, given] : *members) {
     const bool known =
         std::any_of(fields.begin(), fields.end(), [&](const Field& f) { return f.name == key; });
     if (known) continue;
     std::vector<std::string> names;
     for (const Field& f : fields) names.push_back(f.name);
-    throw DomainError(prefix + key, fmt::format("{}{} = {}, there is no such input; closest: \"{}\"", prefix,
-                                                key, given.to_string(), closest(key, names)));
+    throw DomainError(key, fmt::format("{} = {}, there is no such input; closest: \"{}\"", key,
+                                       given.to_string(), closest(key, names)));
   }
   for (const Field& field : fields) {
-    const Value* given = value.find(field.name);
-    if (given == nullptr) {
-      if (!field.required) continue;
-      throw DomainError(prefix + field.name,
-                        fmt::format("{}{} is missing, allowed {}", prefix, field.name, field.allowed()));
-    }
-    if (place.empty()) {
+    if (const Value* given = value.find(field.name)) {
       field.access->read(object, *given, field);
-    } else {
-      Field placed = field;
-      placed.name = prefix + field.name;
-      placed.access->read(object, *given, placed);
+    } else if (field.required) {
+      throw DomainError(field.name, fmt::format("{} is missing, allowed {}", field.name, field.allowed()));
     }
   }
+}
+
+void check_fields(const void* object, const std::vector<Field>& fields) {
+  for (const Field& field : fields) field.access->check(object, field);
 }
 
 Value write_fields(const void* object, const std::vector<Field>& fields) {
@@ -86,6 +122,19 @@ std::int64_t read_integer(const Field& field, const Value& value, std::int64_t l
   }
   if (x < low || x > high) out_of_range(field, value);
   return x;
+}
+
+Value without_kind(const Value& value) {
+  Value::Map rest;
+  for (const auto& [key, member] : *value.map())
+    if (key != "kind") rest.emplace_back(key, member);
+  return rest;
+}
+
+void rethrow_within(const Field& field, const DomainError& e) {
+  // Messages open with the name of the member, so the path goes in front of both.
+  if (e.input().empty()) throw DomainError(field.name, field.name + e.what());
+  throw DomainError(field.name + "/" + e.input(), field.name + "/" + e.what());
 }
 
 Field element_of(const Field& field, std::size_t index) {

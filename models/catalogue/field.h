@@ -8,12 +8,14 @@
 #include <cmath>
 #include <concepts>
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "models/catalogue/error.h"
@@ -28,6 +30,20 @@ template <class E>
 struct EnumNames;
 
 struct Field;
+
+/// The shape of a value, for schemas, forms and generated pages.
+struct TypeInfo {
+  enum class Kind { number, integer, flag, text, choice, list, structure, alternatives };
+  Kind kind = Kind::number;
+  bool nullable = false;
+  std::vector<std::string> choices = {};       ///< of a choice
+  std::vector<TypeInfo> element = {};          ///< of a list: exactly one
+  const std::vector<Field>* fields = nullptr;  ///< of a structure
+  /// of alternatives: value of "kind" and the members that go with it
+  std::vector<std::pair<std::string, const std::vector<Field>*>> alternatives = {};
+  /// "number", "list of number", "one of "weibull", "normal"", ...
+  [[nodiscard]] std::string text() const;
+};
 
 /// The members of a structure that is itself an input or output (a cam, a band). Specialise with
 /// `static std::vector<Field> fields();`, built from `member(...)` below.
@@ -52,8 +68,8 @@ class Access {
   virtual void check(const void* object, const Field& field) const = 0;
   /// True when no NaN or infinity is in it.
   [[nodiscard]] virtual bool finite(const void* object) const = 0;
-  /// "number", "integer", "flag", "text", "weibull | normal", "list of number", ...
-  [[nodiscard]] virtual std::string type() const = 0;
+  [[nodiscard]] virtual TypeInfo type_info() const = 0;
+  [[nodiscard]] std::string type() const { return type_info().text(); }
 };
 
 struct Field {
@@ -72,9 +88,11 @@ struct Field {
   [[nodiscard]] std::string allowed() const;  ///< "0 < r_tooth < 1 (reliability of one tooth)"
 };
 
-/// Reads the members of a described struct from a map: unknown and missing names are errors that name the
-/// place.
-void read_fields(void* object, const std::vector<Field>& fields, const Value& value, std::string_view place);
+/// Reads the members of a described struct from a map. Unknown, missing and ill-typed members are
+/// DomainErrors whose input() is the path of the culprit ("cam/r_base_mm").
+void read_fields(void* object, const std::vector<Field>& fields, const Value& value);
+/// Throws DomainError for the first member outside its range.
+void check_fields(const void* object, const std::vector<Field>& fields);
 [[nodiscard]] Value write_fields(const void* object, const std::vector<Field>& fields);
 
 namespace detail {
@@ -85,6 +103,18 @@ void check_length(const Field& field, std::size_t length);
 double read_number(const Field& field, const Value& value);
 std::int64_t read_integer(const Field& field, const Value& value, std::int64_t low, std::int64_t high);
 [[nodiscard]] Field element_of(const Field& field, std::size_t index);
+[[nodiscard]] Value without_kind(const Value& value);
+[[noreturn]] void rethrow_within(const Field& field, const DomainError& e);
+
+/// Runs `body` on the members of the structure `field`, so that an error names the whole path.
+template <class Body>
+void within(const Field& field, Body&& body) {
+  try {
+    body();
+  } catch (const DomainError& e) {
+    rethrow_within(field, e);
+  }
+}
 
 template <class T>
 struct Binding;
@@ -97,7 +127,7 @@ struct Binding<double> {
     if (!f.range.contains(x)) out_of_range(f, x);
   }
   static bool finite(double x) { return std::isfinite(x); }
-  static std::string type() { return "number"; }
+  static TypeInfo type() { return {.kind = TypeInfo::Kind::number}; }
 };
 
 template <class I>
@@ -110,7 +140,7 @@ requires std::integral<I> &&(!std::same_as<I, bool>)struct Binding<I> {
     if (!f.range.contains(static_cast<double>(x))) out_of_range(f, static_cast<std::int64_t>(x));
   }
   static bool finite(I) { return true; }
-  static std::string type() { return "integer"; }
+  static TypeInfo type() { return {.kind = TypeInfo::Kind::integer}; }
 };
 
 template <>
@@ -122,7 +152,7 @@ struct Binding<bool> {
   static Value write(bool x) { return x; }
   static void check(bool, const Field&) {}
   static bool finite(bool) { return true; }
-  static std::string type() { return "flag"; }
+  static TypeInfo type() { return {.kind = TypeInfo::Kind::flag}; }
 };
 
 template <>
@@ -134,7 +164,7 @@ struct Binding<std::string> {
   static Value write(const std::string& x) { return x; }
   static void check(const std::string&, const Field&) {}
   static bool finite(const std::string&) { return true; }
-  static std::string type() { return "text"; }
+  static TypeInfo type() { return {.kind = TypeInfo::Kind::text}; }
 };
 
 template <class E>
@@ -164,7 +194,11 @@ struct Binding<E> {
     if (write(x).is_null()) wrong_type(f, static_cast<int>(x), "one of " + choices());
   }
   static bool finite(E) { return true; }
-  static std::string type() { return "one of " + choices(); }
+  static TypeInfo type() {
+    TypeInfo info{.kind = TypeInfo::Kind::choice};
+    for (const auto& [e, name] : EnumNames<E>::names) info.choices.emplace_back(name);
+    return info;
+  }
 };
 
 template <class T>
@@ -182,7 +216,11 @@ struct Binding<std::optional<T>> {
     if (x) Binding<T>::check(*x, f);
   }
   static bool finite(const std::optional<T>& x) { return !x || Binding<T>::finite(*x); }
-  static std::string type() { return Binding<T>::type() + " or null"; }
+  static TypeInfo type() {
+    TypeInfo info = Binding<T>::type();
+    info.nullable = true;
+    return info;
+  }
 };
 
 template <class T>
@@ -221,7 +259,7 @@ struct Binding<std::vector<T>> {
       if (!Binding<T>::finite(element)) return false;
     return true;
   }
-  static std::string type() { return "list of " + Binding<T>::type(); }
+  static TypeInfo type() { return {.kind = TypeInfo::Kind::list, .element = {Binding<T>::type()}}; }
 };
 
 template <DescribedStruct S>
@@ -230,20 +268,66 @@ struct Binding<S> {
     static const std::vector<Field> all = StructFields<S>::fields();
     return all;
   }
-  static void read(S& to, const Value& v, const Field& f) { read_fields(&to, fields(), v, f.name); }
+  static void read(S& to, const Value& v, const Field& f) {
+    within(f, [&] { read_fields(&to, fields(), v); });
+  }
   static Value write(const S& x) { return write_fields(&x, fields()); }
-  static void check(const S& x, const Field&) {
-    for (const Field& field : fields()) field.access->check(&x, field);
+  static void check(const S& x, const Field& f) {
+    within(f, [&] { check_fields(&x, fields()); });
   }
   static bool finite(const S& x) {
     for (const Field& field : fields())
       if (!field.access->finite(&x)) return false;
     return true;
   }
-  static std::string type() {
-    std::string members;
-    for (const Field& field : fields()) members += (members.empty() ? "" : ", ") + field.name;
-    return "structure {" + members + "}";
+  static TypeInfo type() { return {.kind = TypeInfo::Kind::structure, .fields = &fields()}; }
+};
+
+/// One of several structures, told apart by the text member "kind" that each names in `kind`.
+template <class... S>
+struct Binding<std::variant<S...>> {
+  using Variant = std::variant<S...>;
+  static std::string kinds() {
+    std::string all;
+    ((all += (all.empty() ? "\"" : ", \"") + std::string(S::kind) + "\""), ...);
+    return all;
+  }
+  static void read(Variant& to, const Value& v, const Field& f) {
+    const Value* kind = v.find("kind");
+    if (kind == nullptr || kind->text() == nullptr)
+      wrong_type(f, v, "an object whose \"kind\" is one of " + kinds());
+    const Value rest = without_kind(v);
+    const bool known = ((*kind->text() == S::kind ? (read_as<S>(to, rest, f), true) : false) || ...);
+    if (!known) wrong_type(f, v, "an object whose \"kind\" is one of " + kinds());
+  }
+  static Value write(const Variant& x) {
+    return std::visit(
+        [](const auto& s) {
+          Value::Map members{{"kind", Value(std::remove_cvref_t<decltype(s)>::kind)}};
+          const Value rest = Binding<std::remove_cvref_t<decltype(s)>>::write(s);
+          members.insert(members.end(), rest.map()->begin(), rest.map()->end());
+          return Value(std::move(members));
+        },
+        x);
+  }
+  static void check(const Variant& x, const Field& f) {
+    std::visit([&](const auto& s) { Binding<std::remove_cvref_t<decltype(s)>>::check(s, f); }, x);
+  }
+  static bool finite(const Variant& x) {
+    return std::visit([](const auto& s) { return Binding<std::remove_cvref_t<decltype(s)>>::finite(s); }, x);
+  }
+  static TypeInfo type() {
+    TypeInfo info{.kind = TypeInfo::Kind::alternatives};
+    (info.alternatives.emplace_back(S::kind, &Binding<S>::fields()), ...);
+    return info;
+  }
+
+ private:
+  template <class T>
+  static void read_as(Variant& to, const Value& rest, const Field& f) {
+    T s{};
+    Binding<T>::read(s, rest, f);
+    to = std::move(s);
   }
 };
 
@@ -263,7 +347,7 @@ class MemberAccess final : public Access {
   [[nodiscard]] bool finite(const void* object) const override {
     return Binding<T>::finite(static_cast<const S*>(object)->*member_);
   }
-  [[nodiscard]] std::string type() const override { return Binding<T>::type(); }
+  [[nodiscard]] TypeInfo type_info() const override { return Binding<T>::type(); }
 
  private:
   T S::*member_;
