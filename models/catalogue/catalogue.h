@@ -75,12 +75,12 @@ class Function {
 
 /// One paper.
 struct SourceInfo {
-  std::string id;                   ///< "K117"
-  std::string title;                ///< of the paper, in English
-  std::string authors;              ///< "Andronov O. Yu."
-  std::string published;            ///< collection, issue, place, year
-  std::string models;               ///< what it models: a paragraph
-  std::string role;                 ///< folder of models/: "reliability"
+  std::string id;                        ///< "K117"
+  std::string title;                     ///< of the paper, in English
+  std::string authors;                   ///< "Andronov O. Yu."
+  std::string published;                 ///< collection, issue, place, year
+  std::string models;                    ///< what it models: a paragraph
+  std::string role;                      ///< folder of models/: "reliability"
   std::vector<std::string> errata = {};  ///< errors found in print and what was done
 };
 

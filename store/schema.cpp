@@ -1,0 +1,116 @@
+#include "store/schema.h"
+
+#include <array>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <fmt/format.h>
+
+#include "store/database.h"
+
+namespace verstat::store {
+namespace {
+
+// Step k brings user_version from k to k + 1. A step that has shipped is never edited.
+constexpr std::array steps = {R"sql(
+CREATE TABLE scenario(
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  currency TEXT NOT NULL,
+  text TEXT NOT NULL UNIQUE
+) STRICT;
+CREATE TABLE run(
+  id INTEGER PRIMARY KEY,
+  label TEXT NOT NULL,
+  scenario_id INTEGER NOT NULL REFERENCES scenario(id),
+  changes TEXT NOT NULL,
+  seed TEXT NOT NULL,
+  replications INTEGER NOT NULL CHECK(replications > 0),
+  horizon_min REAL NOT NULL CHECK(abs(horizon_min) < 9e999),
+  warmup_min REAL NOT NULL CHECK(abs(warmup_min) < 9e999),
+  elapsed_s REAL NOT NULL CHECK(abs(elapsed_s) < 9e999),
+  version TEXT NOT NULL,
+  platform TEXT NOT NULL,
+  created TEXT NOT NULL
+) STRICT;
+CREATE INDEX run_of_scenario ON run(scenario_id);
+CREATE TABLE kpi(
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  unit TEXT NOT NULL,
+  meaning TEXT NOT NULL,
+  UNIQUE(name, unit, meaning)
+) STRICT;
+CREATE TABLE run_kpi(
+  run_id INTEGER NOT NULL REFERENCES run(id),
+  position INTEGER NOT NULL,
+  kpi_id INTEGER NOT NULL REFERENCES kpi(id),
+  mean REAL CHECK(mean IS NULL OR abs(mean) < 9e999),
+  half_width REAL CHECK(half_width IS NULL OR abs(half_width) < 9e999),
+  samples INTEGER NOT NULL,
+  PRIMARY KEY(run_id, position)
+) STRICT, WITHOUT ROWID;
+-- A KPI without a value in a replication (the cost of no part) has no row.
+CREATE TABLE replication_kpi(
+  run_id INTEGER NOT NULL REFERENCES run(id),
+  replication INTEGER NOT NULL,
+  position INTEGER NOT NULL,
+  value REAL NOT NULL CHECK(abs(value) < 9e999),
+  PRIMARY KEY(run_id, replication, position)
+) STRICT, WITHOUT ROWID;
+CREATE TABLE study(
+  id INTEGER PRIMARY KEY,
+  name TEXT NOT NULL,
+  status TEXT NOT NULL CHECK(status IN ('running', 'finished', 'failed')),
+  objective TEXT NOT NULL,
+  scenario_id INTEGER NOT NULL REFERENCES scenario(id),
+  changes TEXT NOT NULL,
+  study_text TEXT NOT NULL,
+  seed TEXT NOT NULL,
+  version TEXT NOT NULL,
+  platform TEXT NOT NULL,
+  created TEXT NOT NULL,
+  baseline_run INTEGER REFERENCES run(id),
+  best_run INTEGER REFERENCES run(id),
+  result TEXT NOT NULL
+) STRICT;
+CREATE TABLE study_variable(
+  study_id INTEGER NOT NULL REFERENCES study(id),
+  position INTEGER NOT NULL,
+  name TEXT NOT NULL,
+  pointer TEXT NOT NULL,
+  unit TEXT NOT NULL,
+  low REAL NOT NULL CHECK(abs(low) < 9e999),
+  high REAL NOT NULL CHECK(abs(high) < 9e999),
+  PRIMARY KEY(study_id, position)
+) STRICT, WITHOUT ROWID;
+-- Values of the variables as the bits of doubles: a trial must be found again exactly.
+CREATE TABLE trial(
+  study_id INTEGER NOT NULL REFERENCES study(id),
+  number INTEGER NOT NULL,
+  stage TEXT NOT NULL,
+  variables BLOB NOT NULL,
+  objective REAL CHECK(objective IS NULL OR abs(objective) < 9e999),
+  feasible INTEGER NOT NULL CHECK(feasible IN (0, 1)),
+  PRIMARY KEY(study_id, number)
+) STRICT, WITHOUT ROWID;
+)sql"};
+static_assert(steps.size() == schema_version);
+
+}  // namespace
+
+void migrate(SQLite::Database& db) {
+  for (;;) {
+    SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
+    const int version = db.execAndGet("PRAGMA user_version").getInt();
+    if (version > schema_version)
+      throw StoreError(
+          fmt::format("was written by a newer Verstat (schema {}, this program knows {}); update the program",
+                      version, schema_version));
+    if (version == schema_version) return;
+    db.exec(steps[static_cast<std::size_t>(version)]);
+    db.exec(fmt::format("PRAGMA user_version = {}", version + 1));
+    transaction.commit();
+  }
+}
+
+}  // namespace verstat::store
