@@ -8,8 +8,13 @@
 namespace verstat::models::k117 {
 namespace {
 
-double age_cost_rate(double survives, double worked_min, double planned, double failure) {
-  return (survives * planned + (1 - survives) * failure) / worked_min;
+// Share of the edges that fail before the age; not 1 - R, which is noise for short ages.
+double failing(const LifeLaw& law, double age_min) {
+  return age_min >= no_schedule_min ? 1 : law.failure_probability(age_min);
+}
+
+double age_cost_rate(double fails, double worked_min, double planned, double failure) {
+  return ((1 - fails) * planned + fails * failure) / worked_min;
 }
 
 OptimalAge optimal_age(const LifeLaw& law, double planned, double failure) {
@@ -31,11 +36,11 @@ OptimalAge optimal_age(const LifeLaw& law, double planned, double failure) {
     age = high;
   else
     age = find_root(excess, low, high, 1e-13);
-  const double survives = law.reliability(age);
-  const double cost_rate = age_cost_rate(survives, law.restricted_mean(age), planned, failure);
+  const double cost_rate =
+      age_cost_rate(law.failure_probability(age), law.restricted_mean(age), planned, failure);
   // 1e-12: a difference made by rounding is a tie, which run to failure wins.
   if (!(cost_rate < to_failure * (1 - 1e-12))) return run_to_failure;
-  return {age, survives, cost_rate, to_failure};
+  return {age, law.reliability(age), cost_rate, to_failure};
 }
 
 constexpr double longest_interval_in_means = 50;
@@ -63,16 +68,16 @@ EdgeUse edge_use(const PartCostIn& in, const LifeLaw& law, double t0_min) {
     return {age_min, age_min, 1 - gamma, (cost.planned + cost.failure * failures) / age_min,
             (in.t_change_planned_min + failures * in.t_change_failure_min) / age_min};
   }
-  double survives = age_min >= no_schedule_min ? 0 : gamma;
+  double fails = age_min >= no_schedule_min ? 1 : 1 - gamma;
   if (in.strategy == Strategy::part_count) {
     // 1e-12 keeps a part that fits exactly from being lost to rounding.
     const double parts = std::floor(age_min / t0_min + 1e-12);
     if (parts >= 1) age_min = parts * t0_min;
-    survives = detail::survival(law, age_min);
+    fails = failing(law, age_min);
   }
   const double used_min = in.accounting == Accounting::scheduled ? age_min : detail::worked(law, age_min);
-  return {age_min, used_min, 1 - survives, age_cost_rate(survives, used_min, cost.planned, cost.failure),
-          (survives * in.t_change_planned_min + (1 - survives) * in.t_change_failure_min) / used_min};
+  return {age_min, used_min, fails, age_cost_rate(fails, used_min, cost.planned, cost.failure),
+          ((1 - fails) * in.t_change_planned_min + fails * in.t_change_failure_min) / used_min};
 }
 
 }  // namespace
@@ -100,10 +105,10 @@ PartCost part_cost(const PartCostIn& in) {
 AgeReplacementCost age_replacement_cost_rate(const AgeReplacement& in) {
   return guarded<&age_replacement_cost_rate>(in, [&] {
     const LifeLaw law(in.law, in.mean_min, in.cv);
-    const double survives = detail::survival(law, in.change_age_min);
     const double worked_min = detail::worked(law, in.change_age_min);
-    return AgeReplacementCost{age_cost_rate(survives, worked_min, in.planned_cost, in.failure_cost), survives,
-                              worked_min};
+    return AgeReplacementCost{
+        age_cost_rate(failing(law, in.change_age_min), worked_min, in.planned_cost, in.failure_cost),
+        detail::survival(law, in.change_age_min), worked_min};
   });
 }
 
