@@ -9,12 +9,24 @@
 //
 // All times of one law are in one unit; rates are per that unit. An infinite time means "never".
 
+#include <array>
+#include <utility>
+
 namespace verstat::models {
 
 enum class LifeLawKind {
   weibull,      ///< R(t) = exp(-(t/scale)^shape)
   normal,       ///< life = max(0, N(mean, cv mean)): an atom of 1 - Phi(1/cv) at zero
   exponential,  ///< R(t) = exp(-t/mean); no cv of its own
+};
+
+template <class E>
+struct EnumNames;  // models/catalogue/field.h
+template <>
+struct EnumNames<LifeLawKind> {
+  static constexpr std::array names{std::pair{LifeLawKind::weibull, "weibull"},
+                                    std::pair{LifeLawKind::normal, "normal"},
+                                    std::pair{LifeLawKind::exponential, "exponential"}};
 };
 
 class LifeLaw {

@@ -1,0 +1,131 @@
+// The life laws against closed forms, quadrature and their own definitions.
+#include "models/math/life_law.h"
+
+#include <cmath>
+#include <limits>
+
+#include <catch2/catch.hpp>
+#include <rapidcheck.h>
+
+#include "models/catalogue/error.h"
+#include "models/math/normal.h"
+#include "models/math/solve.h"
+
+using namespace verstat::models;
+
+namespace {
+
+LifeLaw arbitrary_law() {
+  const double mean = *rc::gen::inRange(1, 1000) * 0.37;
+  switch (*rc::gen::inRange(0, 3)) {
+    case 0:
+      return {LifeLawKind::weibull, mean, *rc::gen::inRange(50, 2000) * 1e-3};
+    case 1:
+      return {LifeLawKind::normal, mean, *rc::gen::inRange(50, 450) * 1e-3};
+    default:
+      return {LifeLawKind::exponential, mean, 1};
+  }
+}
+
+}  // namespace
+
+TEST_CASE("Weibull shape and coefficient of variation are inverse over the whole range", "[math]") {
+  for (int k = 0; k <= 2000; ++k) {
+    const double cv = 0.025 * std::pow(10 / 0.025, k / 2000.0);
+    INFO(cv);
+    CHECK(weibull_cv(weibull_shape(cv)) == Approx(cv).epsilon(2e-12));
+  }
+  CHECK(weibull_shape(1) == 1);
+  CHECK(weibull_shape(std::nextafter(1.0, 0.0)) >= 1);
+  CHECK(weibull_shape(std::nextafter(1.0, 2.0)) <= 1);
+  CHECK(weibull_shape(std::sqrt(5.0)) == Approx(0.5).epsilon(1e-13));           // Gamma(5)/Gamma(3)^2 - 1
+  CHECK(weibull_shape(std::sqrt(4 / M_PI - 1)) == Approx(2.0).epsilon(1e-13));  // Rayleigh
+}
+
+TEST_CASE("the density is the slope of the failure probability, the hazard their ratio", "[math]") {
+  rc::check([] {
+    const LifeLaw law = arbitrary_law();
+    const double t = law.mean() * *rc::gen::inRange(5, 250) * 0.01;
+    const double h = 1e-5 * t;
+    const double slope = (law.failure_probability(t + h) - law.failure_probability(t - h)) / (2 * h);
+    RC_ASSERT(std::abs(slope - law.density(t)) < 1e-6 * law.density(t) + 1e-9 / law.mean());
+    RC_ASSERT(std::abs(law.reliability(t) + law.failure_probability(t) - 1) < 1e-15);
+    if (law.reliability(t) > 1e-300)
+      RC_ASSERT(std::abs(law.hazard(t) * law.reliability(t) / law.density(t) - 1) < 1e-10);
+  });
+}
+
+TEST_CASE("the restricted mean is the integral of the reliability and keeps its bounds", "[math]") {
+  rc::check([] {
+    const LifeLaw law = arbitrary_law();
+    const double tau = law.mean() * std::pow(10.0, *rc::gen::inRange(-60, 8) * 0.1);
+    const double m = law.restricted_mean(tau);
+    // In s with t = tau s^4 the integrand is smooth also where the hazard is infinite at 0.
+    const double integral = integrate(
+        [&](double s) { return law.reliability(tau * s * s * s * s) * 4 * tau * s * s * s; }, 0, 1, 1e-12);
+    RC_ASSERT(std::abs(m - integral) < 2e-9 * integral);
+    RC_ASSERT(m <= tau);
+    RC_ASSERT(m <= law.mean_life() * (1 + 1e-15));
+  });
+  const LifeLaw normal(LifeLawKind::normal, 60, 0.4);
+  CHECK(normal.mean_life() / 60 == Approx(1.0008).margin(5e-5));
+  CHECK(normal.restricted_mean(std::numeric_limits<double>::infinity()) == normal.mean_life());
+}
+
+TEST_CASE("gamma-percent life and quantile invert the reliability", "[math]") {
+  rc::check([] {
+    const LifeLaw law = arbitrary_law();
+    const double gamma = *rc::gen::inRange(1, 999) * 1e-3;
+    const double t = law.gamma_percent_life(gamma);
+    if (t > 0) RC_ASSERT(std::abs(law.reliability(t) - gamma) < 1e-12);
+    RC_ASSERT(std::abs(law.quantile(1 - gamma) - t) <= 1e-11 * law.mean());
+  });
+  const LifeLaw scattered(LifeLawKind::normal, 60, 0.45);
+  CHECK(scattered.gamma_percent_life(0.98) > 0);
+  CHECK(scattered.gamma_percent_life(0.9870) == 0);  // above Phi(1/0.45) = 0.98687
+}
+
+TEST_CASE("with_mean stretches time and nothing else", "[math]") {
+  rc::check([] {
+    const LifeLaw law = arbitrary_law();
+    const LifeLaw twice = law.with_mean(2 * law.mean());
+    const double t = law.mean() * *rc::gen::inRange(1, 300) * 0.01;
+    RC_ASSERT(std::abs(twice.reliability(2 * t) - law.reliability(t)) < 1e-14);
+    RC_ASSERT(std::abs(twice.restricted_mean(2 * t) / law.restricted_mean(t) - 2) < 1e-13);
+  });
+}
+
+TEST_CASE("normal tails: Mills ratio and quantile", "[math]") {
+  CHECK(normal_quantile(0.975) == Approx(1.959963984540054).epsilon(1e-14));
+  CHECK(normal_hazard(std::nextafter(20.0, 0.0)) == Approx(normal_hazard(20.0)).epsilon(1e-12));
+  CHECK(normal_hazard(1000) == Approx(1000 + 1e-3 - 2e-9).epsilon(1e-14));  // z + 1/z - 2/z^3
+  CHECK(LifeLaw(LifeLawKind::normal, 60, 0.05).hazard(600) == Approx(60.0055).epsilon(1e-4));
+}
+
+TEST_CASE("renewal function: exponential closed form, short and long intervals", "[math]") {
+  CHECK(LifeLaw(LifeLawKind::exponential, 60, 1).renewal_function(90) == Approx(1.5).epsilon(1e-6));
+  CHECK(LifeLaw(LifeLawKind::exponential, 60, 1).renewal_function(3000) == Approx(50).epsilon(1e-4));
+  const LifeLaw weibull(LifeLawKind::weibull, 60, 0.7);
+  CHECK(weibull.renewal_function(20) == Approx(0.1705).margin(5e-5));
+  CHECK(weibull.renewal_function(45) == Approx(0.5182).margin(5e-5));
+  CHECK(weibull.renewal_function(90) == Approx(1.2448).margin(5e-5));
+  // Long intervals: T/mean - (1 - CV^2)/2.
+  CHECK(weibull.renewal_function(1200) == Approx(20 - (1 - 0.49) / 2).epsilon(1e-4));
+  // Renewal equation H = F + H*F, at a coarse grid for the convolution: first order in its step.
+  const LifeLaw normal(LifeLawKind::normal, 1, 0.4);
+  double right = normal.failure_probability(1.2);
+  constexpr int n = 200;
+  for (int k = 0; k < n; ++k) {
+    const double dh = normal.renewal_function(1.2 * (k + 1) / n) - normal.renewal_function(1.2 * k / n);
+    right += dh * normal.failure_probability(1.2 - 1.2 * (k + 0.5) / n);
+  }
+  CHECK(normal.renewal_function(1.2) == Approx(right).epsilon(1e-3));
+}
+
+TEST_CASE("life laws refuse what they cannot be", "[math]") {
+  CHECK_THROWS_WITH(LifeLaw(LifeLawKind::normal, 60, 0.7),
+                    "cv = 0.7, allowed 0.05 <= cv <= 0.45 for the normal law");
+  CHECK_THROWS_AS(LifeLaw(LifeLawKind::weibull, 0, 0.7), DomainError);
+  CHECK_THROWS_AS(LifeLaw(LifeLawKind::weibull, std::nan(""), 0.7), DomainError);
+  CHECK_THROWS_AS(LifeLaw::weibull(60, 0.1), DomainError);
+}
