@@ -13,7 +13,6 @@ namespace verstat::sim {
 
 template <class T>
 class Event;
-class Signal;
 
 namespace detail {
 
@@ -25,19 +24,33 @@ class ListWait final : public Awaitable<ListWait<Source>, LinkedWaiter> {
   ListWait(Engine& engine, Source& source) noexcept
       : Awaitable<ListWait<Source>, LinkedWaiter>(engine), source_(&source) {}
 
-  [[nodiscard]] bool try_now() const noexcept { return source_->passable(); }
+  [[nodiscard]] bool try_now() {
+    if (!source_->passable()) return false;
+    keep_value();
+    return true;
+  }
   void begin() noexcept { source_->waiters().push_back(*this); }
-  void served() override { this->notify(); }
+  void served() override {
+    keep_value();
+    this->notify();
+  }
   void withdraw() noexcept override {
     this->cancel_event();
     this->unlink();
   }
-  value_type take() const {
-    if constexpr (!std::is_void_v<value_type>) return source_->value();
+  value_type take() {
+    if constexpr (!std::is_void_v<value_type>) return std::move(*value_);
   }
 
  private:
+  // The source may be gone when the process wakes up.
+  void keep_value() {
+    if constexpr (!std::is_void_v<value_type>) value_.emplace(source_->value());
+  }
+
+  struct Nothing {};
   Source* source_;
+  std::optional<std::conditional_t<std::is_void_v<value_type>, Nothing, value_type>> value_;
 };
 
 /// Waits until a predicate holds; it holds when the process goes on.
@@ -45,9 +58,10 @@ template <class Predicate>
 class PredicateWait final : public Awaitable<PredicateWait<Predicate>, LinkedWaiter> {
  public:
   using value_type = void;
-  PredicateWait(Engine& engine, WaitList& waiters, Predicate predicate)
+  PredicateWait(Engine& engine, WaitList& waiters, WaitList& rising, Predicate predicate)
       : Awaitable<PredicateWait<Predicate>, LinkedWaiter>(engine),
         waiters_(&waiters),
+        rising_(&rising),
         predicate_(std::move(predicate)) {}
 
   [[nodiscard]] bool try_now() { return predicate_(); }
@@ -56,6 +70,7 @@ class PredicateWait final : public Awaitable<PredicateWait<Predicate>, LinkedWai
   // changed the state in between.
   void served() override {
     if (predicate_()) {
+      rising_->push_back(*this);
       this->event_ = this->engine_->push_now(static_cast<EventNode*>(this));
     } else {
       waiters_->push_back(*this);
@@ -63,6 +78,8 @@ class PredicateWait final : public Awaitable<PredicateWait<Predicate>, LinkedWai
   }
   void fire() override {
     this->event_ = 0;
+    if (!this->linked()) return;  // the signal is gone
+    this->unlink();
     if (predicate_()) {
       this->notify_at_once();
     } else {
@@ -77,6 +94,7 @@ class PredicateWait final : public Awaitable<PredicateWait<Predicate>, LinkedWai
 
  private:
   WaitList* waiters_;
+  WaitList* rising_;
   Predicate predicate_;
 };
 
@@ -158,7 +176,7 @@ class Signal {
   template <class Predicate>
   [[nodiscard]] detail::PredicateWait<Predicate> wait_until(Predicate predicate) {
     static_assert(std::is_trivially_destructible_v<Predicate>, "capture by reference");
-    return detail::PredicateWait<Predicate>(*sim_, waiters_, std::move(predicate));
+    return detail::PredicateWait<Predicate>(*sim_, waiters_, rising_, std::move(predicate));
   }
   [[nodiscard]] std::size_t waiting() const noexcept { return waiters_.size(); }
 
@@ -169,6 +187,7 @@ class Signal {
  private:
   Simulation* sim_;
   detail::WaitList waiters_;
+  detail::WaitList rising_;  // whose predicate held, on their way to look again
 };
 
 /// A gate lets pass while it is open.

@@ -142,6 +142,9 @@ class LinkedWaiter : public Waiter {
   LinkedWaiter(LinkedWaiter&&) noexcept = default;
   LinkedWaiter& operator=(LinkedWaiter&&) noexcept = default;
   ~LinkedWaiter();
+
+ public:
+  /// Leaves the queue, if it stands in one.
   void unlink() noexcept;
 
  private:
