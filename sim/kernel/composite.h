@@ -77,11 +77,12 @@ class TaskBranch final : public Awaitable<TaskBranch<T>, LinkedWaiter> {
 
 // What may stand in first_of(...): a wait, a process (its end), a task, or anything with wait().
 template <class W>
-  requires std::is_base_of_v<Waiter, W>
-W as_waiter(W&& waiter) {
+requires std::is_base_of_v<Waiter, W> W as_waiter(W&& waiter) {
   return std::move(waiter);
 }
-inline Join as_waiter(const Process& process) { return process.join(); }
+inline Join as_waiter(const Process& process) {
+  return process.join();
+}
 template <class T>
 JoinResult<T> as_waiter(const ProcessOf<T>& process) {
   return process.join();
@@ -91,7 +92,9 @@ TaskBranch<T> as_waiter(Task<T>&& task) {
   return TaskBranch<T>(std::move(task));
 }
 template <class S>
-  requires requires(S& source) { source.wait(); }
+requires requires(S& source) {
+  source.wait();
+}
 auto as_waiter(S& source) {
   return source.wait();
 }
@@ -257,7 +260,8 @@ template <class W>
 class Interruptible final : public Awaitable<Interruptible<W>, Composite> {
  public:
   using value_type = Attempt<typename W::value_type>;
-  explicit Interruptible(W wait) : Awaitable<Interruptible<W>, Composite>(no_engine_yet), wait_(std::move(wait)) {}
+  explicit Interruptible(W wait)
+      : Awaitable<Interruptible<W>, Composite>(no_engine_yet), wait_(std::move(wait)) {}
 
   [[nodiscard]] bool await_ready() { return wait_.await_ready(); }
   bool try_now() { return wait_.try_now(); }

@@ -18,10 +18,10 @@ namespace verstat::sim {
 
 /// One executed event, as a trace hook sees it just before it happens.
 struct TraceRecord {
-  double time;                ///< simulated time
-  int priority;               ///< priority within the instant, smaller first
-  std::uint64_t sequence;     ///< order in which events were scheduled
-  std::string_view process;   ///< name of the process that goes on; empty when the kernel itself acts
+  double time;               ///< simulated time
+  int priority;              ///< priority within the instant, smaller first
+  std::uint64_t sequence;    ///< order in which events were scheduled
+  std::string_view process;  ///< name of the process that goes on; empty when the kernel itself acts
 };
 
 namespace detail {
@@ -64,9 +64,7 @@ class Engine {
   EventId push(double time, int priority, EventNode* node) {
     return list_.push(time, priority, reinterpret_cast<std::uintptr_t>(node) | node_tag);
   }
-  EventId push_now(PromiseBase* promise) {
-    return list_.push_now(reinterpret_cast<std::uintptr_t>(promise));
-  }
+  EventId push_now(PromiseBase* promise) { return list_.push_now(reinterpret_cast<std::uintptr_t>(promise)); }
   EventId push_now(EventNode* node) {
     return list_.push_now(reinterpret_cast<std::uintptr_t>(node) | node_tag);
   }

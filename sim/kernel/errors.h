@@ -36,7 +36,7 @@ class ProcessError : public std::runtime_error, public std::nested_exception {
 class Reason {
  public:
   Reason() = default;
-  Reason(const char* text) : text_(text) {}            // NOLINT: reads as interrupt("breakdown")
+  Reason(const char* text) : text_(text) {}             // NOLINT: reads as interrupt("breakdown")
   Reason(std::string text) : text_(std::move(text)) {}  // NOLINT
   Reason(int code, std::string text) : code_(code), text_(std::move(text)) {}
 

@@ -116,15 +116,12 @@ class Event {
 
   /// Announces that it has happened. A second time is a SimulationError.
   template <class U = T>
-    requires(!std::is_void_v<U>)
-  void succeed(U value) {
+  requires(!std::is_void_v<U>) void succeed(U value) {
     check_first();
     value_.emplace(std::move(value));
     detail::serve_all(waiters_);
   }
-  void succeed()
-    requires(std::is_void_v<T>)
-  {
+  void succeed() requires(std::is_void_v<T>) {
     check_first();
     value_.emplace();
     detail::serve_all(waiters_);

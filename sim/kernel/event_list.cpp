@@ -71,7 +71,9 @@ void EventList::sweep() {
   }
 }
 
-void EventList::grow_heap() { heap_.resize(2 * heap_.size(), sentinel); }
+void EventList::grow_heap() {
+  heap_.resize(2 * heap_.size(), sentinel);
+}
 
 void EventList::grow_ring() {
   std::vector<Instant> wider(2 * ring_.size());

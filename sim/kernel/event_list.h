@@ -58,9 +58,7 @@ class EventList {
 
   [[nodiscard]] bool empty() const noexcept { return ring_size_ == 0 && size_ == 0; }
   /// Number of pending events.
-  [[nodiscard]] std::size_t size() const noexcept {
-    return ring_size_ - ring_dead_ + size_ - dead_.size();
-  }
+  [[nodiscard]] std::size_t size() const noexcept { return ring_size_ - ring_dead_ + size_ - dead_.size(); }
 
   /// Time of the next event; infinity when there is none. `now` as in pop.
   [[nodiscard]] double next_time(double now) const noexcept {
@@ -144,7 +142,7 @@ class EventList {
 
   std::vector<Entry> heap_;  // 4-ary; every slot from size_ on holds the sentinel
   std::size_t size_ = 0;
-  IdSet dead_;  // ids in the heap that were cancelled; never the top
+  IdSet dead_;                 // ids in the heap that were cancelled; never the top
   std::vector<Instant> ring_;  // a power of two of slots
   std::size_t ring_head_ = 0;
   std::size_t ring_size_ = 0;

@@ -6,7 +6,7 @@
 namespace verstat::sim::detail {
 namespace {
 
-constexpr std::size_t step_bytes = 64;     // a cache line: neighbours never share one
+constexpr std::size_t step_bytes = 64;       // a cache line: neighbours never share one
 constexpr std::size_t largest_bytes = 2048;  // larger frames are rare enough for malloc
 constexpr std::size_t classes = largest_bytes / step_bytes + 1;
 
@@ -56,7 +56,7 @@ void* FramePool::allocate(std::size_t bytes) {
     lists.heads[index] = block->next;
     return block;
   }
-  return ::operator new(index * step_bytes);
+  return ::operator new(index* step_bytes);
 }
 
 void FramePool::release(void* block, std::size_t bytes) noexcept {

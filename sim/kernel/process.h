@@ -148,7 +148,8 @@ class JoinResult final : public Awaitable<JoinResult<T>, LinkedWaiter> {
   }
   T take() const {
     if (!result_.value()) {
-      throw SimulationError("process " + process_->name() + " ended without its result: it was cancelled or it failed");
+      throw SimulationError("process " + process_->name() +
+                            " ended without its result: it was cancelled or it failed");
     }
     return *result_.value();
   }

@@ -68,7 +68,9 @@ bool Acquire::try_now() {
   return true;
 }
 
-void Acquire::begin() { resource_->enqueue(*this, false); }
+void Acquire::begin() {
+  resource_->enqueue(*this, false);
+}
 
 void Acquire::served() {
   resource_->grant(hold_, units_, priority_, process_);
@@ -195,7 +197,8 @@ Hold* Resource::least_urgent_hold(int than) const noexcept {
   Hold* found = nullptr;
   for (Hold* hold = last_hold_; hold != nullptr; hold = hold->next_) {
     const bool own = current != nullptr && hold->owner_.get() == current->process;
-    if (!own && hold->priority_ > than && (found == nullptr || hold->priority_ > found->priority_)) found = hold;
+    if (!own && hold->priority_ > than && (found == nullptr || hold->priority_ > found->priority_))
+      found = hold;
   }
   return found;
 }

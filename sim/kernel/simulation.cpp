@@ -55,7 +55,8 @@ Process Simulation::spawn(std::string_view name, int priority, Task<void> task) 
   if (priority < detail::lowest_priority || priority > detail::highest_priority) {
     detail::throw_bad_priority(*this, priority);
   }
-  if (closing_) throw SimulationError("spawn(\"" + std::string(name) + "\") while the simulation is destroyed");
+  if (closing_)
+    throw SimulationError("spawn(\"" + std::string(name) + "\") while the simulation is destroyed");
   return Process(detail::ProcessState::spawn(*this, name, priority, task.release()));
 }
 

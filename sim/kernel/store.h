@@ -147,7 +147,11 @@ class Store {
   /// A store with Discipline::priority: `key(item)` smallest first.
   Store(Simulation& sim, std::size_t capacity, std::function<double(const T&)> key,
         std::string_view name = "store")
-      : sim_(&sim), name_(name), capacity_(capacity), discipline_(Discipline::priority), key_(std::move(key)) {
+      : sim_(&sim),
+        name_(name),
+        capacity_(capacity),
+        discipline_(Discipline::priority),
+        key_(std::move(key)) {
     if (capacity == 0) throw SimulationError("store " + name_ + ": capacity is 0, must be >= 1");
     if (!key_) throw SimulationError("store " + name_ + ": the priority discipline needs a key function");
   }
@@ -161,7 +165,7 @@ class Store {
   /// `co_await store.get([](const Part& p) { return p.kind == 3; })`: the first item that passes the filter,
   /// which must depend on the item and on things that outlive the wait only.
   template <class Filter>
-    requires std::predicate<Filter&, const T&>
+  requires std::predicate<Filter&, const T&>
   [[nodiscard]] detail::Get<T, Filter> get(Filter filter) {
     return detail::Get<T, Filter>(*sim_, *this, std::move(filter));
   }

@@ -101,9 +101,7 @@ class [[nodiscard]] Task {
   T await_resume() { return handle_.promise().take(); }
 
   /// The root promise, for the kernel: gives up ownership.
-  [[nodiscard]] detail::PromiseBase* release() noexcept {
-    return &std::exchange(handle_, nullptr).promise();
-  }
+  [[nodiscard]] detail::PromiseBase* release() noexcept { return &std::exchange(handle_, nullptr).promise(); }
   [[nodiscard]] bool valid() const noexcept { return handle_ != nullptr; }
 
  private:

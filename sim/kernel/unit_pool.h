@@ -88,7 +88,8 @@ class AcquireUnit final : public Awaitable<AcquireUnit<T, Filter>, UnitWaiter<T>
     }
   }
   UnitHold<T> take() {
-    if (!this->hold_) throw SimulationError(this->engine_->where() + "a pool was destroyed between grant and waking");
+    if (!this->hold_)
+      throw SimulationError(this->engine_->where() + "a pool was destroyed between grant and waking");
     pool_->note_wait(this->engine_->now() - this->since_);
     return std::move(this->hold_);
   }
@@ -132,7 +133,7 @@ class UnitPool {
   /// `auto who = co_await crew.acquire([](const Worker& w) { return w.can_set; });` waits for a unit that
   /// passes the filter, which must depend on the unit and on things that outlive the wait only.
   template <class Filter = detail::AcceptAll>
-    requires std::predicate<Filter&, const T&>
+  requires std::predicate<Filter&, const T&>
   [[nodiscard]] detail::AcquireUnit<T, Filter> acquire(Filter filter = Filter(), int priority = 0) {
     return detail::AcquireUnit<T, Filter>(*sim_, *this, priority, std::move(filter));
   }

@@ -9,7 +9,9 @@ void Waiter::fire() {
   notify_at_once();
 }
 
-Engine* current_engine(const PromiseBase& promise) noexcept { return &promise.process->engine(); }
+Engine* current_engine(const PromiseBase& promise) noexcept {
+  return &promise.process->engine();
+}
 
 void Waiter::notify() {
   if (parent_ != nullptr) {
@@ -27,7 +29,9 @@ void Waiter::notify_at_once() {
   }
 }
 
-void Waiter::throw_interrupted() const { throw Interrupted(promise_->process->take_reason()); }
+void Waiter::throw_interrupted() const {
+  throw Interrupted(promise_->process->take_reason());
+}
 
 WaitList& WaitList::operator=(WaitList&& other) noexcept {
   if (this != &other) {

@@ -187,7 +187,9 @@ class WaitList {
   std::size_t size_ = 0;
 };
 
-inline LinkedWaiter::~LinkedWaiter() { unlink(); }
+inline LinkedWaiter::~LinkedWaiter() {
+  unlink();
+}
 inline void LinkedWaiter::unlink() noexcept {
   if (list_ != nullptr) list_->remove(*this);
 }
