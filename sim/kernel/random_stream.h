@@ -1,0 +1,69 @@
+#pragma once
+// RandomStream: reproducible random numbers with a name.
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <string_view>
+
+namespace verstat::sim {
+
+/// What sort of numbers a replication draws.
+enum class Sampling {
+  plain,
+  antithetic  ///< 1 - u in place of every u: pairs of runs whose errors tend to cancel
+};
+
+/// A stream of uniform random numbers, independent of every stream with another (seed, entity, purpose,
+/// replication), the same on every machine. The generator is xoshiro256++ (Blackman, Vigna, ACM Trans. Math.
+/// Softw. 47 (2021) 36); its 256 bits of state come from hashing the four parts, so streams do not depend on
+/// the order in which they are made, and adding a machine changes nothing for the others.
+class RandomStream {
+ public:
+  /// `entity`: whose randomness ("mill-2"); `purpose`: what for ("life of edges"); any text.
+  RandomStream(std::uint64_t seed, std::string_view entity, std::string_view purpose,
+               std::uint64_t replication = 0, Sampling sampling = Sampling::plain) noexcept;
+
+  /// The next 64 bits (not affected by antithetic sampling).
+  std::uint64_t bits() noexcept {
+    const std::uint64_t result = std::rotl(state_[0] + state_[3], 23) + state_[0];
+    const std::uint64_t t = state_[1] << 17U;
+    state_[2] ^= state_[0];
+    state_[3] ^= state_[1];
+    state_[1] ^= state_[2];
+    state_[0] ^= state_[3];
+    state_[2] ^= t;
+    state_[3] = std::rotl(state_[3], 45);
+    ++draws_;
+    return result;
+  }
+
+  /// Uniform in the open interval (0, 1), one of the 2^52 numbers (k + 1/2) / 2^52: never 0 or 1, and 1 - u
+  /// is exact.
+  double uniform() noexcept {
+    const double u = std::bit_cast<double>((bits() >> 12U) | 0x3ff0000000000000ULL) - (1.0 - 0x1p-53);
+    return antithetic_ ? 1.0 - u : u;
+  }
+  /// Uniform in (low, high).
+  double uniform(double low, double high) noexcept { return low + (high - low) * uniform(); }
+
+  /// Exponential with the given mean > 0, by inversion: one uniform each, so that runs with other means stay
+  /// paired.
+  double exponential(double mean) noexcept { return -mean * std::log(1.0 - uniform()); }
+
+  /// Whole number from 0 to n - 1 (n >= 1), by inversion of one uniform: bias below n / 2^52.
+  std::uint64_t below(std::uint64_t n) noexcept {
+    return static_cast<std::uint64_t>(uniform() * static_cast<double>(n));
+  }
+
+  /// How many numbers were drawn so far: two variants of a model are paired as long as these agree.
+  [[nodiscard]] std::uint64_t draws() const noexcept { return draws_; }
+
+ private:
+  std::array<std::uint64_t, 4> state_{};
+  std::uint64_t draws_ = 0;
+  bool antithetic_;
+};
+
+}  // namespace verstat::sim
