@@ -12,7 +12,8 @@
 #include <vector>
 
 #include "models/catalogue/field.h"
-#include "models/math/life_law.h"
+#include "operations/edge_life.h"
+#include "operations/turning.h"
 
 namespace verstat::scenarios {
 
@@ -58,19 +59,7 @@ using Duration = std::variant<ConstantDuration, ExponentialDuration, UniformDura
 
 // --------------------------------------------------------------------------------------- inserts and their
 // life
-/// Extended Taylor life of one edge: mean life at a reference regime, and how speed, feed and depth change it
-/// (K117).
-struct EdgeLife {
-  models::LifeLawKind law = models::LifeLawKind::weibull;
-  double cv = 0.7;
-  double mean_ref_min = 60;
-  double cutting_speed_ref_m_min = 60;
-  double feed_ref_mm_rev = 1.0;
-  double depth_of_cut_ref_mm = 10;
-  double speed_exponent = 5;     ///< mu of T ~ V^-mu
-  double feed_exponent = 0.45;   ///< y of V ~ S^-y
-  double depth_exponent = 0.15;  ///< x of V ~ t^-x
-};
+using operations::EdgeLife;
 
 struct Insert {
   std::string name;
@@ -156,17 +145,7 @@ struct Machine {
   double rate_per_min = 0;
 };
 
-/// Longitudinal turning of a cylinder (K117): t0 = pi D L i / (1000 V S).
-struct Turning {
-  static constexpr const char* kind = "turning";
-  double diameter_mm = 0;
-  double length_mm = 0;
-  std::int64_t passes = 1;
-  double cutting_speed_m_min = 0;
-  double feed_mm_rev = 0;
-  double depth_of_cut_mm = 0;
-  std::string tool;
-};
+using operations::Turning;
 /// A plain duration, so that a shop can be modelled before its physics is known.
 struct PlainOperation {
   static constexpr const char* kind = "duration";

@@ -8,12 +8,6 @@ namespace verstat::models {
 using namespace scenarios;
 
 template <>
-struct EnumNames<LifeLawKind> {
-  static constexpr std::array names{std::pair{LifeLawKind::weibull, "weibull"},
-                                    std::pair{LifeLawKind::normal, "normal"},
-                                    std::pair{LifeLawKind::exponential, "exponential"}};
-};
-template <>
 struct EnumNames<InsertBooking> {
   static constexpr std::array names{std::pair{InsertBooking::life_periods, "life_periods"},
                                     std::pair{InsertBooking::at_fitting, "at_fitting"}};

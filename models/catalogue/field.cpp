@@ -1,6 +1,7 @@
 #include "models/catalogue/field.h"
 
 #include <algorithm>
+#include <charconv>
 
 #include <fmt/format.h>
 
@@ -80,6 +81,13 @@ void check_fields(const void* object, const std::vector<Field>& fields) {
   for (const Field& field : fields) field.access->check(object, field);
 }
 
+double* locate_in_fields(void* object, const std::vector<Field>& fields, std::span<const std::string> path) {
+  if (path.empty()) return nullptr;
+  for (const Field& field : fields)
+    if (field.name == path.front()) return field.access->locate(object, path.subspan(1));
+  return nullptr;
+}
+
 Value write_fields(const void* object, const std::vector<Field>& fields) {
   Value::Map members;
   members.reserve(fields.size());
@@ -122,6 +130,13 @@ std::int64_t read_integer(const Field& field, const Value& value, std::int64_t l
   }
   if (x < low || x > high) out_of_range(field, value);
   return x;
+}
+
+std::size_t list_index(const std::string& token, std::size_t size) {
+  std::size_t index = size;
+  const char* end = token.data() + token.size();
+  const auto [stop, error] = std::from_chars(token.data(), end, index);
+  return error == std::errc() && stop == end && index < size ? index : size;
 }
 
 Value without_kind(const Value& value) {

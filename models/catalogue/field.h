@@ -11,6 +11,7 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -68,6 +69,9 @@ class Access {
   virtual void check(const void* object, const Field& field) const = 0;
   /// True when no NaN or infinity is in it.
   [[nodiscard]] virtual bool finite(const void* object) const = 0;
+  /// Address of the number that `path` (member names and list indices) leads to from here; null when it leads
+  /// elsewhere. An optimizer that moves one number a thousand times must not go through text.
+  [[nodiscard]] virtual double* locate(void* object, std::span<const std::string> path) const = 0;
   [[nodiscard]] virtual TypeInfo type_info() const = 0;
   [[nodiscard]] std::string type() const { return type_info().text(); }
 };
@@ -93,6 +97,8 @@ struct Field {
 void read_fields(void* object, const std::vector<Field>& fields, const Value& value);
 /// Throws DomainError for the first member outside its range.
 void check_fields(const void* object, const std::vector<Field>& fields);
+[[nodiscard]] double* locate_in_fields(void* object, const std::vector<Field>& fields,
+                                       std::span<const std::string> path);
 [[nodiscard]] Value write_fields(const void* object, const std::vector<Field>& fields);
 
 namespace detail {
@@ -103,6 +109,8 @@ void check_length(const Field& field, std::size_t length);
 double read_number(const Field& field, const Value& value);
 std::int64_t read_integer(const Field& field, const Value& value, std::int64_t low, std::int64_t high);
 [[nodiscard]] Field element_of(const Field& field, std::size_t index);
+/// The index a path names, or `size` when it names none.
+[[nodiscard]] std::size_t list_index(const std::string& token, std::size_t size);
 [[nodiscard]] Value without_kind(const Value& value);
 [[noreturn]] void rethrow_within(const Field& field, const DomainError& e);
 
@@ -127,6 +135,7 @@ struct Binding<double> {
     if (!f.range.contains(x)) out_of_range(f, x);
   }
   static bool finite(double x) { return std::isfinite(x); }
+  static double* locate(double& x, std::span<const std::string> path) { return path.empty() ? &x : nullptr; }
   static TypeInfo type() { return {.kind = TypeInfo::Kind::number}; }
 };
 
@@ -259,6 +268,14 @@ struct Binding<std::vector<T>> {
       if (!Binding<T>::finite(element)) return false;
     return true;
   }
+  static double* locate(std::vector<T>& x, std::span<const std::string> path) {
+    if (path.empty()) return nullptr;
+    const std::size_t index = list_index(path.front(), x.size());
+    if constexpr (requires(T & e) { Binding<T>::locate(e, path); })
+      return index < x.size() ? Binding<T>::locate(x[index], path.subspan(1)) : nullptr;
+    else
+      return nullptr;
+  }
   static TypeInfo type() { return {.kind = TypeInfo::Kind::list, .element = {Binding<T>::type()}}; }
 };
 
@@ -279,6 +296,9 @@ struct Binding<S> {
     for (const Field& field : fields())
       if (!field.access->finite(&x)) return false;
     return true;
+  }
+  static double* locate(S& x, std::span<const std::string> path) {
+    return locate_in_fields(&x, fields(), path);
   }
   static TypeInfo type() { return {.kind = TypeInfo::Kind::structure, .fields = &fields()}; }
 };
@@ -316,6 +336,9 @@ struct Binding<std::variant<S...>> {
   static bool finite(const Variant& x) {
     return std::visit([](const auto& s) { return Binding<std::remove_cvref_t<decltype(s)>>::finite(s); }, x);
   }
+  static double* locate(Variant& x, std::span<const std::string> path) {
+    return std::visit([&](auto& s) { return Binding<std::remove_cvref_t<decltype(s)>>::locate(s, path); }, x);
+  }
   static TypeInfo type() {
     TypeInfo info{.kind = TypeInfo::Kind::alternatives};
     (info.alternatives.emplace_back(S::kind, &Binding<S>::fields()), ...);
@@ -346,6 +369,12 @@ class MemberAccess final : public Access {
   }
   [[nodiscard]] bool finite(const void* object) const override {
     return Binding<T>::finite(static_cast<const S*>(object)->*member_);
+  }
+  [[nodiscard]] double* locate(void* object, std::span<const std::string> path) const override {
+    if constexpr (requires(T & x) { Binding<T>::locate(x, path); })
+      return Binding<T>::locate(static_cast<S*>(object)->*member_, path);
+    else
+      return nullptr;
   }
   [[nodiscard]] TypeInfo type_info() const override { return Binding<T>::type(); }
 

@@ -1,0 +1,197 @@
+// All KPIs of a shop, names beside formulas.
+#include "sim/shop/kpis.h"
+
+#include <array>
+
+#include <fmt/format.h>
+
+#include "sim/shop/shop_parts.h"
+
+namespace verstat::shop {
+namespace {
+
+struct Money {
+  const char* name;
+  const char* meaning;
+  double amount;
+};
+
+std::optional<double> ratio(double part, double whole) {
+  if (!(whole > 0)) return std::nullopt;
+  return part / whole;
+}
+
+constexpr std::string_view meaning_of(MachineState state) {
+  constexpr std::array<std::string_view, machine_states> texts = {
+      "share of the time spent cutting",
+      "share of the time spent on operations given as durations",
+      "share of the time in planned insert changes, crew at work",
+      "share of the time in insert changes after a failure, crew at work",
+      "share of the time waiting for the crew to change an edge",
+      "share of the time without a part to work on"};
+  return texts[static_cast<std::size_t>(state)];
+}
+
+}  // namespace
+
+std::string machine_name(const scenarios::Machine& machine, std::int64_t index) {
+  return machine.count == 1 ? machine.name : fmt::format("{} {}", machine.name, index + 1);
+}
+
+template <class Sink>
+void Shop::each_kpi(Sink&& sink) const {
+  const double window_min = scenario_.simulation.horizon_min - scenario_.simulation.warmup_min;
+  const std::string& money = scenario_.currency;
+
+  double good = 0;
+  double scrapped = 0;
+  double lead_time_min = 0;
+  double scrap_cost = 0;
+  for (const PartCounts& part : parts_) {
+    good += static_cast<double>(part.good);
+    scrapped += static_cast<double>(part.scrapped);
+    lead_time_min += part.lead_time_min;
+    scrap_cost += part.scrap_cost;
+  }
+  const double finished = good + scrapped;
+
+  // Costs: every machine minute by its state, crews by work or by shift, inserts, damage, scrap.
+  std::array<double, machine_states> machine_cost{};
+  for (const auto& machine : machines_)
+    for (std::size_t s = 0; s < machine_states; ++s)
+      machine_cost[s] +=
+          machine->clock.time_min(static_cast<MachineState>(s)) * machine->group->spec->rate_per_min;
+  double planned_wage = 0;
+  double failure_wage = 0;
+  std::map<const CrewUnit*, double> crew_busy_min;
+  for (const auto& machine : machines_)
+    for (const auto& [name, tool] : machine->tools) {
+      const double planned_min = tool->clock.time_min(MachineState::planned_change);
+      const double failure_min = tool->clock.time_min(MachineState::failure_change);
+      crew_busy_min[tool->crew] += planned_min + failure_min;
+      if (tool->crew->spec->pay == scenarios::CrewPay::shift) continue;
+      planned_wage += planned_min * tool->crew->spec->rate_per_min;
+      failure_wage += failure_min * tool->crew->spec->rate_per_min;
+    }
+  double shift_wage = 0;
+  for (const auto& crew : crews_)
+    if (crew->spec->pay == scenarios::CrewPay::shift)
+      shift_wage += crew->spec->rate_per_min * static_cast<double>(crew->spec->members) * window_min;
+  double insert_cost = 0;
+  double regrind_cost = 0;
+  double damage_cost = 0;
+  for (const ToolCounts& tool : tools_) {
+    insert_cost += tool.insert_cost;
+    regrind_cost += tool.regrind_cost;
+    damage_cost += tool.damage_cost;
+  }
+  const auto machine_in = [&](MachineState s) { return machine_cost[static_cast<std::size_t>(s)]; };
+  const std::array components = {
+      Money{"machining", "machine minutes of cutting", machine_in(MachineState::cutting)},
+      Money{"other_operations", "machine minutes of operations given as durations",
+            machine_in(MachineState::working)},
+      Money{"planned_change", "machine and crew minutes of planned insert changes",
+            machine_in(MachineState::planned_change) + planned_wage},
+      Money{"failure_change", "machine and crew minutes of changes after a failure",
+            machine_in(MachineState::failure_change) + failure_wage},
+      Money{"waiting_crew", "machine minutes of waiting for the crew",
+            machine_in(MachineState::waiting_crew)},
+      Money{"idle", "machine minutes without a part", machine_in(MachineState::idle)},
+      Money{"labour", "crews paid by the shift", shift_wage},
+      Money{"inserts", "inserts", insert_cost},
+      Money{"regrinding", "regrinding", regrind_cost},
+      Money{"damage", "holders, shims and rework after failures", damage_cost},
+      Money{"scrap", "value of scrapped parts", scrap_cost}};
+  // The whole is the sum of the parts as they are shown, so that the bridge closes exactly.
+  std::optional<double> per_part;
+  std::optional<double> per_good_part;
+  for (const Money& m : components) {
+    if (const auto share = ratio(m.amount, finished)) per_part = per_part.value_or(0) + *share;
+    if (const auto share = ratio(m.amount, good)) per_good_part = per_good_part.value_or(0) + *share;
+  }
+
+  sink(KpiInfo{"cost_per_part", money, "all costs / parts finished, good or scrapped"}, per_part);
+  sink(KpiInfo{"cost_per_good_part", money, "all costs / good parts"}, per_good_part);
+  sink(KpiInfo{"throughput_per_h", "parts/h", "good parts per hour of calendar time"},
+       ratio(good, window_min / 60));
+  sink(KpiInfo{"parts_good", "parts", "good parts in the counted time"}, good);
+  sink(KpiInfo{"parts_scrapped", "parts", "scrapped parts in the counted time"}, scrapped);
+  sink(KpiInfo{"quality_ratio", "1", "good parts / parts finished (ISO 22400)"}, ratio(good, finished));
+  sink(KpiInfo{"lead_time_min", "min", "mean time from the start or arrival of a part to its end"},
+       ratio(lead_time_min, finished));
+  for (const Money& m : components)
+    sink(KpiInfo{fmt::format("cost/{}", m.name), money + "/part",
+                 fmt::format("{}, per part finished", m.meaning)},
+         ratio(m.amount, finished));
+
+  for (const auto& machine : machines_) {
+    const double production_min =
+        machine->clock.time_min(MachineState::cutting) + machine->clock.time_min(MachineState::working);
+    sink(KpiInfo{fmt::format("machine/{}/availability", machine->name), "1",
+                 "production time / planned busy time (ISO 22400)"},
+         ratio(production_min, window_min));
+    for (std::size_t s = 0; s < machine_states; ++s) {
+      const auto state = static_cast<MachineState>(s);
+      sink(KpiInfo{fmt::format("machine/{}/state/{}", machine->name, name_of(state)), "1",
+                   std::string(meaning_of(state))},
+           ratio(machine->clock.time_min(state), window_min));
+    }
+  }
+
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    const ToolCounts& counts = tools_[t];
+    double cutting_min = 0;
+    double changing_min = 0;
+    double waiting_min = 0;
+    for (const auto& machine : machines_)
+      for (const auto& [name, tool] : machine->tools) {
+        if (tool->index != t) continue;
+        cutting_min += tool->clock.time_min(MachineState::cutting);
+        waiting_min += tool->clock.time_min(MachineState::waiting_crew);
+        changing_min += tool->clock.time_min(MachineState::planned_change) +
+                        tool->clock.time_min(MachineState::failure_change);
+      }
+    const auto planned = static_cast<double>(counts.planned_changes);
+    const auto failures = static_cast<double>(counts.failures);
+    const auto put = [&](const char* name, const char* unit, const char* meaning,
+                         std::optional<double> value) {
+      sink(KpiInfo{fmt::format("tool/{}/{}", scenario_.tools[t].name, name), unit, meaning}, value);
+    };
+    put("insert_cycle_availability", "1",
+        "cutting / (cutting + changing + waiting for the crew); K_r of K117",
+        ratio(cutting_min, cutting_min + changing_min + waiting_min));
+    put("waiting_crew_share", "1", "waiting for the crew / (cutting + changing + waiting)",
+        ratio(waiting_min, cutting_min + changing_min + waiting_min));
+    put("planned_changes", "1", "edges changed as planned", planned);
+    put("failures", "1", "edges that failed in the cut", failures);
+    put("failure_share", "1", "failures / all changes", ratio(failures, planned + failures));
+    put("edge_use_min", "min", "mean cutting time of the edges taken out",
+        ratio(counts.edge_minutes_used, static_cast<double>(counts.edges_used)));
+    put("inserts_fitted", "1", "new inserts fitted", static_cast<double>(counts.inserts_fitted));
+    put("inserts_per_100_parts", "1/100 parts", "new inserts fitted per 100 parts finished",
+        ratio(100 * static_cast<double>(counts.inserts_fitted), finished));
+  }
+
+  for (const auto& crew : crews_) {
+    const auto busy = crew_busy_min.find(crew.get());
+    const double busy_min = busy == crew_busy_min.end() ? 0 : busy->second;
+    sink(KpiInfo{fmt::format("crew/{}/utilization", crew->spec->name), "1",
+                 "minutes worked / minutes present"},
+         ratio(busy_min, window_min * static_cast<double>(crew->spec->members)));
+  }
+}
+
+std::vector<std::optional<double>> Shop::compute_kpis() const {
+  std::vector<std::optional<double>> values;
+  each_kpi([&](const KpiInfo&, std::optional<double> value) { values.push_back(value); });
+  return values;
+}
+
+std::vector<KpiInfo> kpi_infos(const scenarios::Scenario& scenario) {
+  std::vector<KpiInfo> infos;
+  const Shop shop(scenario, 0);
+  shop.each_kpi([&](const KpiInfo& info, std::optional<double>) { infos.push_back(info); });
+  return infos;
+}
+
+}  // namespace verstat::shop

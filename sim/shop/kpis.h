@@ -1,0 +1,23 @@
+#pragma once
+// Key performance indicators of a shop: names, units and formulas (ISO 22400-2 names where it has them).
+
+#include <string>
+#include <vector>
+
+#include "scenarios/scenario.h"
+
+namespace verstat::shop {
+
+struct KpiInfo {
+  std::string name;  ///< "cost_per_part", "machine/lathe 1/state/cutting"
+  std::string unit;
+  std::string meaning;  ///< one line with the formula
+};
+
+/// The KPIs that a run of this scenario yields, in order.
+[[nodiscard]] std::vector<KpiInfo> kpi_infos(const scenarios::Scenario& scenario);
+
+/// Names of identical machines: "lathe" when there is one, else "lathe 1", "lathe 2", ...
+[[nodiscard]] std::string machine_name(const scenarios::Machine& machine, std::int64_t index);
+
+}  // namespace verstat::shop

@@ -1,0 +1,74 @@
+#include "sim/shop/run.h"
+
+#include <mutex>
+#include <stdexcept>
+
+#include "sim/kernel/output_analysis.h"
+#include "sim/kernel/replications.h"
+#include "sim/shop/shop.h"
+
+namespace verstat::shop {
+
+Estimate estimate(const std::vector<std::optional<double>>& values, double confidence) {
+  sim::Tally tally;
+  for (const auto& value : values)
+    if (value) tally.add(*value);
+  Estimate result{.samples = static_cast<std::int64_t>(tally.count())};
+  if (tally.count() > 0) result.mean = tally.mean();
+  if (tally.count() > 1) result.half_width = sim::confidence_interval(tally, confidence).half_width;
+  return result;
+}
+
+std::optional<std::size_t> RunResult::index_of(const std::string& kpi) const {
+  for (std::size_t k = 0; k < kpis.size(); ++k)
+    if (kpis[k].name == kpi) return k;
+  return std::nullopt;
+}
+
+RunResult run_scenario(const scenarios::Scenario& scenario, int threads, const Progress& progress) {
+  const auto replications = static_cast<std::size_t>(scenario.simulation.replications);
+  std::mutex progress_mutex;
+  std::int64_t done = 0;
+  struct Outcome {
+    std::vector<std::optional<double>> values;
+    std::uint64_t events;
+  };
+  const auto one = [&](std::size_t replication) {
+    Shop shop(scenario, replication);
+    Outcome outcome{shop.run(), shop.events_executed()};
+    if (progress) {
+      const std::scoped_lock lock(progress_mutex);
+      progress(++done, scenario.simulation.replications);
+    }
+    return outcome;
+  };
+  std::vector<Outcome> outcomes = sim::run_replications(replications, static_cast<unsigned>(threads), one);
+
+  RunResult result;
+  result.kpis = kpi_infos(scenario);
+  for (Outcome& outcome : outcomes) {
+    result.events += outcome.events;
+    result.values.push_back(std::move(outcome.values));
+  }
+  std::vector<std::optional<double>> column(replications);
+  for (std::size_t k = 0; k < result.kpis.size(); ++k) {
+    for (std::size_t r = 0; r < replications; ++r) column[r] = result.values[r][k];
+    result.estimates.push_back(estimate(column));
+  }
+  return result;
+}
+
+Estimate paired_difference(const RunResult& a, const RunResult& b, const std::string& kpi,
+                           double confidence) {
+  const auto in_a = a.index_of(kpi);
+  const auto in_b = b.index_of(kpi);
+  if (!in_a || !in_b) throw std::invalid_argument("there is no KPI \"" + kpi + "\"");
+  if (a.values.size() != b.values.size())
+    throw std::invalid_argument("the runs differ in their number of replications");
+  std::vector<std::optional<double>> difference(a.values.size());
+  for (std::size_t r = 0; r < difference.size(); ++r)
+    if (a.values[r][*in_a] && b.values[r][*in_b]) difference[r] = *b.values[r][*in_b] - *a.values[r][*in_a];
+  return estimate(difference, confidence);
+}
+
+}  // namespace verstat::shop

@@ -1,0 +1,45 @@
+#pragma once
+// A scenario run in replications, and two runs compared pair by pair.
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "scenarios/scenario.h"
+#include "sim/shop/kpis.h"
+
+namespace verstat::shop {
+
+/// Mean over replications with the half-width of its confidence interval.
+struct Estimate {
+  std::optional<double> mean;        ///< none when no replication has a value
+  std::optional<double> half_width;  ///< none with fewer than two values
+  std::int64_t samples = 0;
+};
+/// Student interval of the values that exist. `confidence` in (0, 1).
+[[nodiscard]] Estimate estimate(const std::vector<std::optional<double>>& values, double confidence = 0.95);
+
+struct RunResult {
+  std::vector<KpiInfo> kpis;
+  /// values[r][k]: KPI k in replication r.
+  std::vector<std::vector<std::optional<double>>> values;
+  std::vector<Estimate> estimates;  ///< one per KPI, 95 %
+  std::uint64_t events = 0;
+
+  /// Index of the KPI with this name; none when there is none.
+  [[nodiscard]] std::optional<std::size_t> index_of(const std::string& kpi) const;
+};
+
+/// Called after every finished replication, from any thread but never twice at once.
+using Progress = std::function<void(std::int64_t done, std::int64_t of)>;
+
+/// Runs all replications of the scenario on `threads` >= 1 threads. The result does not depend on `threads`.
+[[nodiscard]] RunResult run_scenario(const scenarios::Scenario& scenario, int threads,
+                                     const Progress& progress = {});
+
+/// KPI of b minus KPI of a, replication by replication (common random numbers).
+/// Both runs must have the same number of replications and the KPI. Throws std::invalid_argument.
+[[nodiscard]] Estimate paired_difference(const RunResult& a, const RunResult& b, const std::string& kpi,
+                                         double confidence = 0.95);
+
+}  // namespace verstat::shop

@@ -1,0 +1,102 @@
+#pragma once
+// The shop built from a scenario: parts follow routes over machines that hold tools served by crews. One
+// object per replication, no globals.
+//
+// Accounting, as in the cost model of K117: a machine minute costs its rate in whatever state; a crew member
+// costs the wage for the minutes worked (or for the whole time, as the scenario says); an insert is booked by
+// life periods at every change or when it is fitted; a failure costs damage and, with a probability, the
+// part. A part that a failure spoils is finished by the new edge and found out afterwards: it counts as
+// scrapped.
+
+#include <cstdint>
+#include <deque>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenarios/scenario.h"
+#include "sim/kernel/random_stream.h"
+#include "sim/kernel/resource.h"
+#include "sim/kernel/simulation.h"
+#include "sim/kernel/store.h"
+#include "sim/shop/edge.h"
+#include "sim/shop/kpis.h"
+#include "sim/shop/state_clock.h"
+#include "sim/shop/strategy.h"
+
+namespace verstat::shop {
+
+/// Everything counted since the end of the warm-up about one kind of tool.
+struct ToolCounts {
+  std::uint64_t planned_changes = 0;
+  std::uint64_t failures = 0;
+  std::uint64_t inserts_fitted = 0;
+  std::uint64_t edges_used = 0;  ///< edges taken out
+  double edge_minutes_used = 0;  ///< cutting minutes of the edges taken out
+  double insert_cost = 0;
+  double regrind_cost = 0;
+  double damage_cost = 0;
+};
+
+struct PartCounts {
+  std::uint64_t good = 0;
+  std::uint64_t scrapped = 0;
+  double scrap_cost = 0;
+  double lead_time_min = 0;      ///< sum over finished parts
+  std::uint64_t in_process = 0;  ///< now, not since the warm-up
+};
+
+class Shop {
+ public:
+  /// Builds the shop of a checked scenario. `replication` counts from 0 and picks the random streams.
+  Shop(const scenarios::Scenario& scenario, std::uint64_t replication);
+  Shop(const Shop&) = delete;
+  Shop& operator=(const Shop&) = delete;
+  ~Shop();
+
+  /// Simulates warm-up and horizon; returns the KPIs in the order of kpi_infos(scenario).
+  /// Throws sim::ProcessError; that would be a bug of ours or an exhausted event budget.
+  [[nodiscard]] std::vector<std::optional<double>> run();
+  [[nodiscard]] std::uint64_t events_executed() const { return sim_.events_executed(); }
+
+ private:
+  friend std::vector<KpiInfo> kpi_infos(const scenarios::Scenario& scenario);
+  struct Job {
+    std::size_t part = 0;
+    std::size_t step = 0;
+    double released_min = 0;
+    bool spoiled = false;
+  };
+  struct Group;
+  struct MountedTool;
+  struct MachineUnit;
+  struct CrewUnit;
+
+  [[nodiscard]] sim::Task<void> machine_process(MachineUnit& machine);
+  [[nodiscard]] sim::Task<void> arrival_process(std::size_t part);
+  [[nodiscard]] sim::Task<void> turn(MachineUnit& machine, MountedTool& tool, double main_time_min,
+                                     double mean_life_min, Job& job);
+  [[nodiscard]] sim::Task<void> change_edge(MachineUnit& machine, MountedTool& tool, bool after_failure,
+                                            double mean_life_min);
+  [[nodiscard]] std::optional<Job> next_job(Group& group);
+  void release(Job job);
+  void pass_on(Job job);
+  void reset_counts();
+  void settle();
+  [[nodiscard]] std::vector<std::optional<double>> compute_kpis() const;
+  /// Calls sink(KpiInfo, std::optional<double>) for every KPI, in order: names and values stand together.
+  template <class Sink>
+  void each_kpi(Sink&& sink) const;
+
+  const scenarios::Scenario& scenario_;
+  std::uint64_t replication_;
+  sim::Simulation sim_;
+  std::vector<std::unique_ptr<CrewUnit>> crews_;
+  std::vector<std::unique_ptr<Group>> groups_;
+  std::vector<std::unique_ptr<MachineUnit>> machines_;
+  std::vector<ToolCounts> tools_;  // one per tool of the scenario
+  std::vector<PartCounts> parts_;  // one per part type
+};
+
+}  // namespace verstat::shop

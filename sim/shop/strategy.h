@@ -1,0 +1,34 @@
+#pragma once
+// Replacement strategies: small policies that answer one question, when to change an edge that still cuts.
+
+#include <memory>
+
+#include "models/math/life_law.h"
+#include "scenarios/scenario.h"
+
+namespace verstat::shop {
+
+/// What a strategy may look at. Wear is counted in mean lives, so that it adds up over regimes (linear
+/// damage).
+struct ToolView {
+  double edge_wear = 0;        ///< cutting of the edge in place, in mean lives
+  double wear_since_plan = 0;  ///< cutting of the tool since its last planned change, in mean lives
+  double mean_life_min = 0;    ///< of an edge at the present regime
+  double main_time_min = 0;    ///< of one part in the present operation
+};
+
+class Strategy {
+ public:
+  Strategy() = default;
+  Strategy(const Strategy&) = delete;
+  Strategy& operator=(const Strategy&) = delete;
+  virtual ~Strategy() = default;
+  /// Cutting minutes until the planned change; infinity when none is planned, zero or less when it is due.
+  [[nodiscard]] virtual double cutting_to_change_min(const ToolView& tool) const = 0;
+};
+
+/// The strategy of a scenario for edges whose life follows `unit_life`, a law with mean 1.
+[[nodiscard]] std::unique_ptr<Strategy> make_strategy(const scenarios::Strategy& spec,
+                                                      const models::LifeLaw& unit_life);
+
+}  // namespace verstat::shop
