@@ -1,0 +1,148 @@
+#include "app/cli.h"
+
+#include <gnu/libc-version.h>
+#include <unistd.h>
+
+#include <charconv>
+#include <chrono>
+#include <cstdlib>
+#include <ctime>
+#include <thread>
+
+#include <fmt/chrono.h>
+#include <fmt/format.h>
+
+#include "app/version.h"
+#include "models/catalogue/error.h"
+#include "store/database.h"
+
+namespace verstat::app {
+
+using scenarios::Change;
+using scenarios::InputError;
+
+void add_json(CLI::App& command, CommonOptions& options) {
+  command.add_flag("--json", options.json, "print the answer as JSON on standard output");
+}
+void add_db(CLI::App& command, CommonOptions& options) {
+  command.add_option("--db", options.db, "results database (SQLite)")->capture_default_str();
+}
+void add_run_options(CLI::App& command, CommonOptions& options) {
+  command.add_option("--seed", options.seed, "seed of all random streams, 0 to 18446744073709551615");
+  command.add_option("--replications", options.replications, "independent repetitions, 1 to 100000");
+  command.add_option("--threads", options.threads, "threads to use (results do not depend on it)");
+  command.add_option("--set", options.set, "change one value: POINTER=VALUE, for instance /machines/0/count=3; may be repeated")
+      ->allow_extra_args(false);
+}
+
+namespace {
+
+// CLI11 takes "010" for 8, "-1" for 2^64 - 1 and swallows what follows: numbers are read here.
+template <class Number>
+Number whole(const std::string& flag, const std::string& text, Number low, Number high) {
+  Number value{};
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || stop != text.data() + text.size() || value < low || value > high)
+    throw UsageError(fmt::format("{} {}: must be a whole number from {} to {}", flag, text.substr(0, 100), low, high));
+  return value;
+}
+
+}  // namespace
+
+int thread_count(const CommonOptions& options) {
+  if (options.threads.empty()) return static_cast<int>(std::max(1U, std::thread::hardware_concurrency()));
+  return whole<int>("--threads", options.threads, 1, 1024);
+}
+
+std::vector<Change> changes_of(const CommonOptions& options) {
+  std::vector<Change> changes;
+  for (const std::string& text : options.set) changes.push_back(scenarios::parse_change(text));
+  const auto setting = [&](const char* member, nlohmann::json value) {
+    changes.push_back({fmt::format("/simulation/{}", member), std::move(value)});
+  };
+  if (!options.seed.empty()) setting("seed", std::to_string(whole<std::uint64_t>("--seed", options.seed, 0, UINT64_MAX)));
+  if (!options.replications.empty())
+    setting("replications", whole<std::int64_t>("--replications", options.replications, 1, 100'000));
+  return changes;
+}
+
+std::string changes_text(const std::vector<Change>& changes) {
+  nlohmann::ordered_json list = nlohmann::ordered_json::array();
+  for (const Change& change : changes) list.push_back({{"pointer", change.pointer}, {"value", change.value}});
+  return list.dump();
+}
+
+LoadedScenario load_scenario(const std::string& file, const std::vector<Change>& changes) {
+  LoadedScenario loaded;
+  try {
+    loaded.text = scenarios::read_text_file(file);
+    loaded.json = scenarios::parse_json(loaded.text);
+    // --seed works on a scenario without settings, too.
+    if (loaded.json.is_object() && !loaded.json.contains("simulation")) loaded.json["simulation"] = nlohmann::json::object();
+    loaded.json = scenarios::apply(std::move(loaded.json), changes);
+    loaded.scenario = scenarios::load(loaded.json);
+  } catch (const InputError& e) {
+    throw UsageError(fmt::format("scenario {}: {}", file, e.what()));
+  }
+  return loaded;
+}
+
+store::Provenance provenance() {
+  const bool fma = __builtin_cpu_supports("fma") != 0;
+  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
+  return {.version = VERSTAT_VERSION,
+          .platform = fmt::format("x86-64{}, glibc {}", fma ? " with FMA" : "", gnu_get_libc_version()),
+          .created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))};
+}
+
+namespace {
+
+int report(const std::string& text, ExitCode code) {
+  const bool colour = isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
+  fmt::print(stderr, "{}error:{} {}\n", colour ? "\033[31m" : "", colour ? "\033[0m" : "", text);
+  return code;
+}
+
+}  // namespace
+
+int run_program(int argc, char** argv) {
+  CLI::App program(
+      "Verstat simulates machining shops and finds the regimes, change ages and crews that pay.\n"
+      "Cutting times, tool lives and failures come from published process models.");
+  program.name("verstat");
+  program.set_version_flag("--version", std::string("verstat ") + VERSTAT_VERSION);
+  program.require_subcommand(1);
+  program.footer("Example:\n  verstat run scenarios/gallery/heavy-lathe.json --set /tools/0/strategy/gamma=0.47");
+  add_validate(program);
+  add_run(program);
+  add_optimize(program);
+  add_models(program);
+  add_runs(program);
+  // add_serve(program);
+  add_schema(program);
+  try {
+    program.parse(argc, argv);
+    return success;
+  } catch (const CLI::Success& e) {  // --help, --version
+    return program.exit(e);
+  } catch (const CLI::ParseError& e) {
+    std::string text = e.what();
+    for (char& c : text)
+      if (c == '\n') c = ' ';
+    return report(text + " (verstat --help shows what there is)", bad_input);
+  } catch (const UsageError& e) {
+    return report(e.what(), bad_input);
+  } catch (const InputError& e) {
+    return report(e.what(), bad_input);
+  } catch (const models::ModelError& e) {
+    return report(e.what(), bad_input);
+  } catch (const store::StoreError& e) {
+    return report(e.what(), failure);
+  } catch (const std::bad_alloc&) {
+    return report("out of memory: fewer machines, replications or threads need less", failure);
+  } catch (const std::exception& e) {
+    return report(e.what(), failure);
+  }
+}
+
+}  // namespace verstat::app

@@ -1,0 +1,74 @@
+#pragma once
+// What the sub-commands share: options, output, exit codes. One file per sub-command beside this one.
+
+#include <cstdint>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include "scenarios/load.h"
+#include "store/records.h"
+
+namespace verstat::app {
+
+/// Exit codes of the program.
+enum ExitCode : int {
+  success = 0,
+  failure = 1,     ///< something went wrong that no better input would mend
+  bad_input = 2,   ///< a file, flag, pointer or value is wrong; nothing was done
+  interrupted = 130
+};
+
+/// Bad input, said in one line.
+class UsageError : public std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Options that most sub-commands know.
+struct CommonOptions {
+  bool json = false;
+  std::string db = "verstat.db";
+  std::string seed;
+  std::string replications;
+  std::string threads;
+  std::vector<std::string> set;
+};
+void add_json(CLI::App& command, CommonOptions& options);
+void add_db(CLI::App& command, CommonOptions& options);
+/// --seed, --replications, --threads, --set
+void add_run_options(CLI::App& command, CommonOptions& options);
+
+/// Threads to use: --threads, else as many as the machine has. Throws UsageError.
+[[nodiscard]] int thread_count(const CommonOptions& options);
+/// The changes of --set, then --seed and --replications as changes of the simulation settings. Throws InputError.
+[[nodiscard]] std::vector<scenarios::Change> changes_of(const CommonOptions& options);
+[[nodiscard]] std::string changes_text(const std::vector<scenarios::Change>& changes);
+
+/// A scenario file with the changes made and checked. Errors name the file.
+struct LoadedScenario {
+  std::string text;      ///< of the file
+  nlohmann::json json;   ///< with the changes
+  scenarios::Scenario scenario;
+};
+[[nodiscard]] LoadedScenario load_scenario(const std::string& file, const std::vector<scenarios::Change>& changes);
+
+/// Program version, and processor and C library (results agree bit for bit where both are the same).
+[[nodiscard]] store::Provenance provenance();
+
+/// Registers each sub-command; the returned callbacks run when it is chosen.
+void add_validate(CLI::App& program);
+void add_run(CLI::App& program);
+void add_optimize(CLI::App& program);
+void add_models(CLI::App& program);
+void add_runs(CLI::App& program);
+void add_schema(CLI::App& program);
+void add_serve(CLI::App& program);
+
+/// Runs the whole program; returns its exit code.
+[[nodiscard]] int run_program(int argc, char** argv);
+
+}  // namespace verstat::app
