@@ -15,7 +15,6 @@ using scenarios::Crew;
 using scenarios::Insert;
 using scenarios::Operation;
 using scenarios::Tool;
-using scenarios::Turning;
 
 namespace {
 
@@ -79,16 +78,13 @@ LongRunModel::LongRunModel(const scenarios::Scenario& scenario) : scenario_(scen
 
 OperationCost LongRunModel::operation_cost(const Operation& operation) const {
   const double machine_rate = scenarios::find_named(scenario_.machines, operation.machine)->rate_per_min;
-  const auto* turning = std::get_if<Turning>(&operation.process);
-  if (turning == nullptr) {
-    const double time_min = scenarios::mean_min(std::get<scenarios::PlainOperation>(operation.process).time);
-    return {machine_rate * time_min, time_min, 0};
-  }
-  const Tool& tool = *scenarios::find_named(scenario_.tools, turning->tool);
+  const operations::CutPlan plan = scenarios::plan(scenario_, operation);
+  if (!plan.edge || operation.tool.empty())
+    return {machine_rate * plan.main_time_min, plan.main_time_min, 0};
+  const Tool& tool = *scenarios::find_named(scenario_.tools, operation.tool);
   const Insert& insert = *scenarios::find_named(scenario_.inserts, tool.insert);
   const Crew& crew = *scenarios::find_named(scenario_.crews, tool.crew);
-  const operations::CutPlan plan = operations::plan(*turning, insert.edge_life);
-  const LifeLaw life(insert.edge_life.law, *plan.mean_life_min, insert.edge_life.cv);
+  const LifeLaw life(insert.edge_life.law, plan.edge->mean_min, insert.edge_life.cv);
   const EdgeRates rates = std::visit(RatesOf{life, plan.main_time_min}, tool.strategy);
   const double changes_per_min = rates.planned_per_min + rates.failures_per_min;
   const double failing_share = rates.failures_per_min / changes_per_min;

@@ -6,23 +6,19 @@
 #include <fmt/format.h>
 
 #include "models/catalogue/closest.h"
+#include "operations/fields.h"
+#include "operations/kinds/duration.h"
 #include "scenarios/model_json.h"
 
 namespace verstat::scenarios {
 
 using nlohmann::json;
 
-double mean_min(const Duration& duration) {
-  struct Mean {
-    double operator()(const ConstantDuration& d) const { return d.value_min; }
-    double operator()(const ExponentialDuration& d) const { return 1 / d.rate_per_min; }
-    double operator()(const UniformDuration& d) const { return (d.low_min + d.high_min) / 2; }
-    double operator()(const TriangularDuration& d) const { return (d.low_min + d.mode_min + d.high_min) / 3; }
-    double operator()(const LognormalDuration& d) const { return d.mean_min; }
-    double operator()(const GammaDuration& d) const { return d.mean_min; }
-    double operator()(const WeibullDuration& d) const { return d.mean_min; }
-  };
-  return std::visit(Mean{}, duration);
+operations::CutPlan plan(const Scenario& scenario, const Operation& operation) {
+  operations::PlanContext context{.machine = &find_named(scenario.machines, operation.machine)->limits};
+  if (!operation.tool.empty())
+    context.edge = &find_named(scenario.inserts, find_named(scenario.tools, operation.tool)->insert)->edge_life;
+  return operation.process.plan(context);
 }
 
 std::optional<double> gamma_of(const Strategy& strategy) {
@@ -140,23 +136,17 @@ void check_reference(const std::vector<T>& all, const std::string& name, const s
            : fmt::format("there is no such {}; closest: \"{}\"", what, models::closest(name, names)));
 }
 
-void check_duration(const Duration& duration, const std::string& pointer) {
-  if (const auto* u = std::get_if<UniformDuration>(&duration); u != nullptr && u->low_min > u->high_min)
-    fail(pointer + "/low_min", fmt::format("{}", u->low_min),
-         fmt::format("must not be above high_min = {}", u->high_min));
-  if (const auto* t = std::get_if<TriangularDuration>(&duration)) {
-    if (t->low_min > t->mode_min)
-      fail(pointer + "/low_min", fmt::format("{}", t->low_min),
-           fmt::format("must not be above mode_min = {}", t->mode_min));
-    if (t->mode_min > t->high_min)
-      fail(pointer + "/mode_min", fmt::format("{}", t->mode_min),
-           fmt::format("must not be above high_min = {}", t->high_min));
+void check_law(const Duration& duration, const std::string& pointer) {
+  try {
+    operations::check_duration(duration, pointer);
+  } catch (const models::DomainError& e) {
+    throw InputError(e.input(), e.what());
   }
 }
 
 // A process that takes no time would repeat for ever at one instant.
 void check_takes_time(const Duration& duration, const std::string& pointer) {
-  check_duration(duration, pointer);
+  check_law(duration, pointer);
   if (mean_min(duration) < 1e-6)
     fail(pointer, fmt::format("mean {} min", mean_min(duration)), "must have a mean of at least 1e-6 min");
 }
@@ -170,8 +160,8 @@ void check_insert(const Insert& insert, const std::string& at) {
 void check_tool(const Scenario& s, const Tool& tool, const std::string& at) {
   check_reference(s.inserts, tool.insert, at + "/insert", "insert");
   check_reference(s.crews, tool.crew, at + "/crew", "crew");
-  check_duration(tool.change.index, at + "/change/index");
-  check_duration(tool.change.replace, at + "/change/replace");
+  check_law(tool.change.index, at + "/change/index");
+  check_law(tool.change.replace, at + "/change/replace");
   const EdgeLife& life = find_named(s.inserts, tool.insert)->edge_life;
   const auto gamma = gamma_of(tool.strategy);
   if (!gamma) return;
@@ -184,10 +174,16 @@ void check_tool(const Scenario& s, const Tool& tool, const std::string& at) {
 
 void check_operation(const Scenario& s, const Operation& operation, const std::string& at) {
   check_reference(s.machines, operation.machine, at + "/machine", "machine");
-  if (const auto* turning = std::get_if<Turning>(&operation.process))
-    check_reference(s.tools, turning->tool, at + "/process/tool", "tool");
-  if (const auto* plain = std::get_if<PlainOperation>(&operation.process))
-    check_takes_time(plain->time, at + "/process/time");
+  if (!operation.tool.empty()) check_reference(s.tools, operation.tool, at + "/tool", "tool");
+  if (const auto* plain = operation.process.as<operations::PlainOperation>()) check_law(plain->time, at + "/process/time");
+  operations::CutPlan plan;
+  try {
+    plan = scenarios::plan(s, operation);
+  } catch (const models::ModelError& e) {
+    throw InputError(at + "/process", fmt::format("{}/process cannot be planned: {}", at, e.what()));
+  }
+  if (plan.main_time_min < 1e-6)
+    fail(at + "/process", fmt::format("{} min", plan.main_time_min), "must take at least 1e-6 min");
 }
 
 void check_part(const Scenario& s, const PartType& part, const std::string& at) {

@@ -13,49 +13,13 @@
 
 #include "models/catalogue/field.h"
 #include "operations/edge_life.h"
-#include "operations/turning.h"
+#include "operations/kind.h"
 
 namespace verstat::scenarios {
 
-// ------------------------------------------------------------------------------------------------- durations
-struct ConstantDuration {
-  static constexpr const char* kind = "constant";
-  double value_min = 0;
-};
-struct ExponentialDuration {
-  static constexpr const char* kind = "exponential";
-  double rate_per_min = 0;  ///< mean is 1 / rate
-};
-struct UniformDuration {
-  static constexpr const char* kind = "uniform";
-  double low_min = 0;
-  double high_min = 0;
-};
-struct TriangularDuration {
-  static constexpr const char* kind = "triangular";
-  double low_min = 0;
-  double mode_min = 0;
-  double high_min = 0;
-};
-struct LognormalDuration {
-  static constexpr const char* kind = "lognormal";
-  double mean_min = 0;
-  double cv = 0.5;
-};
-struct GammaDuration {
-  static constexpr const char* kind = "gamma";
-  double mean_min = 0;
-  double cv = 0.5;
-};
-struct WeibullDuration {
-  static constexpr const char* kind = "weibull";
-  double mean_min = 0;
-  double cv = 0.5;
-};
-using Duration = std::variant<ConstantDuration, ExponentialDuration, UniformDuration, TriangularDuration,
-                              LognormalDuration, GammaDuration, WeibullDuration>;
-/// Mean of a duration, min.
-[[nodiscard]] double mean_min(const Duration& duration);
+using operations::Duration;
+using operations::ExponentialDuration;
+using operations::mean_min;
 
 // --------------------------------------------------------------------------------------- inserts and their
 // life
@@ -143,20 +107,14 @@ struct Machine {
   std::string model;
   std::int64_t count = 1;
   double rate_per_min = 0;
+  operations::MachineLimits limits;
 };
-
-using operations::Turning;
-/// A plain duration, so that a shop can be modelled before its physics is known.
-struct PlainOperation {
-  static constexpr const char* kind = "duration";
-  Duration time = ConstantDuration{1};
-};
-using Process = std::variant<Turning, PlainOperation>;
 
 struct Operation {
   std::string name;
   std::string machine;
-  Process process;
+  std::string tool;  ///< empty: no tool that wears
+  operations::Process process;
 };
 
 struct AlwaysAvailable {
@@ -207,6 +165,10 @@ struct Scenario {
   std::vector<Store> stores;
   std::vector<PartType> parts;
 };
+
+/// The plan of an operation with the tool and the machine that the scenario gives it.
+/// Throws models::ModelError when its process models refuse the specification.
+[[nodiscard]] operations::CutPlan plan(const Scenario& scenario, const Operation& operation);
 
 /// The members of a scenario, for the loader, the schema and the reference page.
 [[nodiscard]] const std::vector<models::Field>& scenario_fields();

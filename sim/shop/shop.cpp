@@ -9,8 +9,6 @@
 namespace verstat::shop {
 
 using scenarios::Operation;
-using scenarios::PlainOperation;
-using scenarios::Turning;
 
 namespace {
 
@@ -45,6 +43,11 @@ Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication)
       replication_(replication),
       tools_(scenario.tools.size()),
       parts_(scenario.parts.size()) {
+  for (const Operation& operation : scenario.operations) {
+    PlannedOperation planned{&operation, scenarios::plan(scenario, operation), {}};
+    if (planned.plan.time_law) planned.time_law = law_of(*planned.plan.time_law);
+    operations_.push_back(std::move(planned));
+  }
   for (const scenarios::Crew& crew : scenario.crews) crews_.push_back(std::make_unique<CrewUnit>(sim_, crew));
   for (const scenarios::Machine& machine : scenario.machines) {
     groups_.push_back(std::make_unique<Group>(sim_, machine));
@@ -54,12 +57,11 @@ Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication)
   }
   for (const auto& machine : machines_)
     for (const Operation& operation : scenario.operations) {
-      const auto* turning = std::get_if<Turning>(&operation.process);
-      if (turning == nullptr || operation.machine != machine->group->spec->name) continue;
-      if (machine->tools.contains(turning->tool)) continue;
-      const std::size_t index = index_of(scenario.tools, turning->tool);
+      if (operation.tool.empty() || operation.machine != machine->group->spec->name) continue;
+      if (machine->tools.contains(operation.tool)) continue;
+      const std::size_t index = index_of(scenario.tools, operation.tool);
       const scenarios::Tool& tool = scenario.tools[index];
-      machine->tools[turning->tool] =
+      machine->tools[operation.tool] =
           std::make_unique<MountedTool>(scenario, tool, index, *crews_[index_of(scenario.crews, tool.crew)],
                                         machine->name + "/" + tool.name, replication);
     }
@@ -146,17 +148,16 @@ sim::Task<void> Shop::machine_process(MachineUnit& machine) {
           fmt::format("more than {} events in one replication: shorten the horizon or check the "
                       "durations, they are far apart",
                       event_budget));
-    const Operation& operation =
-        *scenarios::find_named(scenario_.operations, scenario_.parts[job.part].route[job.step]);
-    if (const auto* turning = std::get_if<Turning>(&operation.process)) {
-      MountedTool& tool = *machine.tools.at(turning->tool);
-      const operations::CutPlan plan = operations::plan(*turning, tool.insert_spec->edge_life);
-      co_await turn(machine, tool, plan.main_time_min, *plan.mean_life_min, job);
+    const std::string& name = scenario_.parts[job.part].route[job.step];
+    const PlannedOperation& operation = operations_[index_of(scenario_.operations, name)];
+    const double main_time_min =
+        operation.time_law ? operation.time_law->sample(machine.duration_stream) : operation.plan.main_time_min;
+    if (operation.plan.edge && !operation.spec->tool.empty()) {
+      MountedTool& tool = *machine.tools.at(operation.spec->tool);
+      co_await turn(machine, tool, main_time_min, operation.plan.edge->mean_min, job);
     } else {
       machine.clock.enter(MachineState::working, sim_.now());
-      const double time_min =
-          law_of(std::get<PlainOperation>(operation.process).time).sample(machine.duration_stream);
-      co_await sim_.delay(time_min);
+      co_await sim_.delay(main_time_min);
     }
     pass_on(job);
   }

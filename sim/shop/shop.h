@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "scenarios/scenario.h"
-#include "sim/kernel/random_stream.h"
+#include "sim/kernel/distribution.h"
 #include "sim/kernel/resource.h"
 #include "sim/kernel/simulation.h"
 #include "sim/kernel/store.h"
@@ -68,6 +68,11 @@ class Shop {
     double released_min = 0;
     bool spoiled = false;
   };
+  struct PlannedOperation {
+    const scenarios::Operation* spec;
+    operations::CutPlan plan;
+    std::optional<sim::Distribution> time_law;
+  };
   struct Group;
   struct MountedTool;
   struct MachineUnit;
@@ -92,6 +97,7 @@ class Shop {
   const scenarios::Scenario& scenario_;
   std::uint64_t replication_;
   sim::Simulation sim_;
+  std::vector<PlannedOperation> operations_;  // one per operation of the scenario
   std::vector<std::unique_ptr<CrewUnit>> crews_;
   std::vector<std::unique_ptr<Group>> groups_;
   std::vector<std::unique_ptr<MachineUnit>> machines_;

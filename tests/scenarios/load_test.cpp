@@ -1,3 +1,4 @@
+#include "operations/kinds/turning.h"
 #include "scenarios/load.h"
 
 #include <limits>
@@ -30,8 +31,9 @@ std::string error_of(const std::string& change) {
 TEST_CASE("the gallery's heavy-lathe cell is card K117's default set") {
   const Scenario s = load(heavy_lathe());
   CHECK(s.machines.at(0).count == 2);
-  const auto& turning = std::get<Turning>(s.operations.at(0).process);
-  CHECK(turning.cutting_speed_m_min == 60);
+  const auto* turning = s.operations.at(0).process.as<verstat::operations::Turning>();
+  REQUIRE(turning != nullptr);
+  CHECK(turning->cutting_speed_m_min == 60);
   CHECK(s.inserts.at(0).edge_life.cv == 0.7);
   CHECK(s.simulation.seed.value == 20111);
   const Tool& tool = s.tools.at(0);
@@ -72,7 +74,7 @@ TEST_CASE("every bad input names its place, its value and what would be right") 
   CHECK(
       error_of(
           "/operations/0/process={\"kind\":\"duration\",\"time\":{\"kind\":\"constant\",\"value_min\":0}}") ==
-      "/operations/0/process/time = mean 0 min, must have a mean of at least 1e-6 min");
+      "/operations/0/process = 0 min, must take at least 1e-6 min");
   CHECK(error_of("/tools/0/change/index={\"kind\":\"uniform\",\"low_min\":3,\"high_min\":2}") ==
         "/tools/0/change/index/low_min = 3, must not be above high_min = 2");
   CHECK(error_of("/crews/0/name=") == "/crews/0/name = \"\", must have 1 to 100 characters");

@@ -1,11 +1,11 @@
 #pragma once
-// Operation kind "turning": a cylinder turned in passes (K117).
+// Operation kind "turning": a cylinder turned lengthwise in passes.
+//
+// Main time and edge life from K117; cutting force and power from the textbook relation of Kienzle (COMPLETION).
 
 #include <cstdint>
-#include <string>
 
-#include "operations/cut_plan.h"
-#include "operations/edge_life.h"
+#include "operations/kind.h"
 
 namespace verstat::operations {
 
@@ -17,11 +17,9 @@ struct Turning {
   double cutting_speed_m_min = 0;
   double feed_mm_rev = 0;
   double depth_of_cut_mm = 0;
-  std::string tool;
 };
 
-/// Main time by K117.machining_time_turning, mean edge life by K117.mean_life_for_regime.
 /// Throws models::ModelError for values outside the models' ranges.
-[[nodiscard]] CutPlan plan(const Turning& turning, const EdgeLife& edge);
+[[nodiscard]] CutPlan plan(const Turning& spec, const PlanContext& context);
 
 }  // namespace verstat::operations
