@@ -276,29 +276,29 @@ ToothPosition::ToothPosition(const HobbingProcess& process, std::int64_t tooth, 
   // Clearance changes by no more than this per millimetre of travel of the point: 1 for a fixed tooth angle,
   // and the tooth angle follows the point at 1/r.
   lipschitz_ = 1 + 2 * blank_speed / root_radius;
-  for (std::int64_t n = 0; n <= previous_blank_revs; ++n) {
-    const double offset = 2 * pi * static_cast<double>(hob_turns - n * p.gear_teeth);
-    for (std::int64_t i = -p.last_tooth; i <= p.last_tooth; ++i) {
-      if (n == 0 && i >= tooth) continue;
-      EarlierPass pass{};
-      pass.tooth_angle = p.tooth_angle(i);
-      pass.shift = offset - pass.tooth_angle;
-      const double hob_rotation = theta_ + pass.shift;
-      pass.cos_blank = std::cos(p.blank_rate * hob_rotation);
-      pass.sin_blank = std::sin(p.blank_rate * hob_rotation);
-      pass.travel = p.travel_rate * hob_rotation;
-      passes_.push_back(pass);
-    }
-  }
+  const auto add = [&](std::int64_t i, std::int64_t revs_ago) {
+    if (i < -p.last_tooth || i > p.last_tooth || (revs_ago == 0 && i >= tooth)) return;
+    EarlierPass pass{};
+    pass.tooth_angle = p.tooth_angle(i);
+    pass.shift = 2 * pi * static_cast<double>(hob_turns - revs_ago * p.gear_teeth) - pass.tooth_angle;
+    const double hob_rotation = theta_ + pass.shift;
+    pass.cos_blank = std::cos(p.blank_rate * hob_rotation);
+    pass.sin_blank = std::sin(p.blank_rate * hob_rotation);
+    pass.travel = p.travel_rate * hob_rotation;
+    passes_.push_back(pass);
+  };
+  passes_.reserve(static_cast<std::size_t>((2 * p.last_tooth + 1) * (previous_blank_revs + 1)));
   // Nearest passes first: most points are found cut away by one of them.
-  std::stable_sort(passes_.begin(), passes_.end(), [&](const EarlierPass& a, const EarlierPass& b) {
-    const auto distance = [&](const EarlierPass& x) {
-      const double revolutions =
-          (hob_rotation_ - (theta_ + x.shift)) / (2 * pi * static_cast<double>(p.gear_teeth));
-      return std::abs(x.tooth_angle - tooth_t_) + 1000 * std::floor(std::max(0.0, revolutions - 0.5));
-    };
-    return distance(a) < distance(b);
-  });
+  const std::int64_t farthest = p.last_tooth + std::abs(tooth);
+  const auto outwards = [&](std::int64_t first_rev, std::int64_t last_rev) {
+    for (std::int64_t d = 0; d <= farthest; ++d)
+      for (std::int64_t n = first_rev; n <= last_rev; ++n) {
+        add(tooth - d, n);
+        if (d > 0) add(tooth + d, n);
+      }
+  };
+  outwards(0, std::min<std::int64_t>(1, previous_blank_revs));
+  outwards(2, previous_blank_revs);
 }
 
 // No more than the clearance of a pass, from one look at the tooth angle of the current tooth: while the pass
@@ -368,12 +368,17 @@ ToothPosition::Sample ToothPosition::sample(const OutlinePoint& point, double st
   const auto last_step = static_cast<std::int64_t>(std::ceil(boundary / step_mm));
   const auto at = [&](std::int64_t k) { return std::min(boundary, static_cast<double>(k) * step_mm); };
 
-  std::sort(candidates.begin(), candidates.end(), [](const Candidate& a, const Candidate& b) {
-    return a.bound != b.bound ? a.bound < b.bound : a.pass < b.pass;
-  });
+  // A heap with the nearest pass on top: few are ever taken off.
+  const auto farther = [](const Candidate& a, const Candidate& b) {
+    return a.bound != b.bound ? a.bound > b.bound : a.pass > b.pass;
+  };
+  std::make_heap(candidates.begin(), candidates.end(), farther);
   double best = boundary;
   std::int64_t hit_step = last_step;  // first step at which some pass holds the point
-  for (const Candidate& candidate : candidates) {
+  while (!candidates.empty()) {
+    std::pop_heap(candidates.begin(), candidates.end(), farther);
+    const Candidate candidate = candidates.back();
+    candidates.pop_back();
     if (candidate.bound > lipschitz_ * at(hit_step)) break;
     const EarlierPass& pass = passes_[candidate.pass];
     const auto clearance = [&](double g) {

@@ -30,13 +30,14 @@ void hob_inputs(Builder& f) {
 }
 
 template <class Builder>
-void process_inputs(Builder& f) {
+void process_inputs(Builder& f, std::int64_t gashes_example = 10) {
   hob_inputs(f);
   f.optional(&Hobbing::gear_teeth, "gear_teeth", "Z_k", "1", teeth_range, "teeth of the gear")
       .optional(&Hobbing::gear_helix_deg, "gear_helix_deg", "beta_w", "deg", helix_range,
                 "helix angle of the gear, right-hand positive")
       .optional(&Hobbing::profile_shift, "profile_shift", "x", "1", shift_range, "profile shift factor")
       .optional(&Hobbing::hob_gashes, "hob_gashes", "Z_f", "1", gash_range, "gashes of the hob")
+      .example(gashes_example)
       .optional(&Hobbing::axial_feed_mm_rev, "axial_feed_mm_rev", "S_oc", "mm/rev", feed_range,
                 "axial feed per blank revolution")
       .optional(&Hobbing::feed_mode, "feed_mode", "sigma", "-", no_range(),
@@ -275,10 +276,10 @@ void describe_chips(Source& source) {
   source
       .function<&hobbing_load_summary>("hobbing_load_summary", "Loads of all teeth over the whole arc.",
                                        "(C3)", Provenance::completion)
-      .with([](auto& f) { process_inputs(f); })
+      .with([](auto& f) { process_inputs(f, 6); })
       .optional(&LoadSummaryInputs::angle_step_deg, "angle_step_deg", "-", "deg", closed(0.1, 10),
                 "step of the tooth angle")
-      .example(6.0)
+      .example(10.0)
       .output(&LoadSummary::max_chip_thickness_mm, "max_chip_thickness_mm", "a_max", "mm", non_negative(),
               "largest chip thickness")
       .output(&LoadSummary::chip_volume_per_gap_mm3, "chip_volume_per_gap_mm3", "-", "mm3", non_negative(),
