@@ -228,6 +228,7 @@ double HobbingProcess::outline_distance(double r, double w) const {
 }
 
 double HobbingProcess::clearance(const Eigen::Vector3d& q, const Pass& pass, double start) const {
+  constexpr double nearest = 3 * pi / 2;
   const double z_of_tooth = hob.helix * pass.tooth_angle;
   double th = start;
   for (int iteration = 0; iteration < 100; ++iteration) {
@@ -247,6 +248,12 @@ double HobbingProcess::clearance(const Eigen::Vector3d& q, const Pass& pass, dou
     const double tau = -s * x0 + c * y0;
     const double zeta = z0 - z_of_tooth;
     const double f = tau * cos_section - zeta * sin_section;
+    // From a start more than a quarter turn off Newton would find the far side of the hob. The point of the
+    // hob nearest to the blank never is.
+    if (iteration == 0 && th != nearest && (r <= 0 || std::abs(f) > 0.5 * r * cos_section)) {
+      th = nearest;
+      continue;
+    }
     // The blank moves on while the tooth turns.
     const double dx0 = -cos_setting * travel_rate + sin_setting * blank_rate * ys;
     const double dy0 = blank_rate * zs;

@@ -248,7 +248,15 @@ TEST_CASE("K101: chips agree with the plain algorithm that looks at every pass a
   coarse.hob_diameter_mm = 70;
   coarse.hob_tip_radius_mm = 0.4;
   coarse.axial_feed_mm_rev = 6;
-  for (const Hobbing& in : {example(), example(FeedMode::conventional), helical, coarse}) {
+  // Feed beyond the approach length: most points look back at earlier revolutions from far round the hob.
+  Hobbing tiny = example();
+  tiny.module_mm = 1.3;
+  tiny.hob_diameter_mm = 20;
+  tiny.hob_tip_radius_mm = 0;
+  tiny.gear_teeth = 43;
+  tiny.gear_helix_deg = -29;
+  tiny.axial_feed_mm_rev = 8;
+  for (const Hobbing& in : {example(), example(FeedMode::conventional), helical, coarse, tiny}) {
     const HobbingProcess process(in);
     const std::vector<OutlinePoint> edge = process.edge_samples(16, 5, 7);
     double largest = 0;
