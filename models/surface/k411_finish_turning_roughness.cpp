@@ -24,30 +24,33 @@ double radians(double degrees) {
   return degrees * std::numbers::pi / 180;
 }
 
-// One side of the tool contour: nose arc, then a straight edge tangent to it at `angle` against the feed.
-struct Side {
-  double radius;
-  double angle;  // rad
+// One side of the tool contour: nose arc, then a straight edge tangent to it at `angle` (rad) to the feed.
+class Side {
+ public:
+  Side(double radius, double angle)
+      : radius_(radius), cos_(std::cos(angle)), sin_(std::sin(angle)), tangent_height_(radius * (1 - cos_)) {}
 
-  [[nodiscard]] double tangent_height() const { return radius * (1 - std::cos(angle)); }
   // Distance from the nose bottom to the contour at a height.
   [[nodiscard]] double reach(double height) const {
-    if (height <= tangent_height()) return std::sqrt(height * (2 * radius - height));
-    return radius * std::tan(angle / 2) + height * std::cos(angle) / std::sin(angle);
+    if (height <= tangent_height_) return std::sqrt(height * (2 * radius_ - height));
+    return radius_ * sin_ / (1 + cos_) + height * cos_ / sin_;  // tan(angle/2) = sin/(1 + cos)
   }
   // Area between the contour and the level of the nose bottom, up to a height.
   [[nodiscard]] double area_below(double height) const {
-    const double arc_height = std::min(height, tangent_height());
-    const double theta = std::asin(std::min(1.0, std::sqrt(arc_height * (2 * radius - arc_height)) / radius));
+    const double arc_height = std::min(height, tangent_height_);
+    const double sine = std::min(1.0, std::sqrt(arc_height * (2 * radius_ - arc_height)) / radius_);
+    const double theta = std::atan2(sine, 1 - arc_height / radius_);
     const double square = theta * theta;
-    // sin t - t/2 - sin(2t)/4 loses all digits for small t: series.
+    // sin t - t/2 - sin t cos t/2 loses all digits for small t: series.
     const double share = theta < 0.02 ? theta * square * (1.0 / 6 - square * (7.0 / 120 - square * 31 / 5040))
-                                      : std::sin(theta) - theta / 2 - std::sin(2 * theta) / 4;
-    double area = radius * radius * share;
-    if (height > arc_height)
-      area += (height * height - arc_height * arc_height) / 2 * std::cos(angle) / std::sin(angle);
+                                      : sine - (theta + sine * (1 - arc_height / radius_)) / 2;
+    double area = radius_ * radius_ * share;
+    if (height > arc_height) area += (height - arc_height) * (height + arc_height) / 2 * cos_ / sin_;
     return area;
   }
+
+ private:
+  double radius_, cos_, sin_, tangent_height_;
 };
 
 struct Profile {
@@ -88,8 +91,8 @@ Profile profile(const NoseGeometry& nose, double feed) {
 
 // Mean absolute deviation of the periodic profile: twice the area below the mean line, over the feed.
 double mean_deviation_mm(const NoseGeometry& nose, double feed, double height) {
-  const Side main{nose.nose_radius_mm, radians(nose.kr_deg)};
-  const Side minor{nose.nose_radius_mm, radians(nose.kr1_deg)};
+  const Side main(nose.nose_radius_mm, radians(nose.kr_deg));
+  const Side minor(nose.nose_radius_mm, radians(nose.kr1_deg));
   double area = main.area_below(height) + minor.area_below(height);
   // An upright edge (kr = 90) ends below `height` at the same reach; area_below is then exact too.
   const double mean = area / feed;
