@@ -365,7 +365,7 @@ void describe(Catalogue& catalogue) {
     conditions(f);
   };
   const auto formation = [](auto& f) {
-    f.optional(&ChipFormation::kr_deg, "kr", "kappa_r", "deg", open_low(0, 90), "edge angle")
+    f.optional(&ChipFormation::kr_deg, "kr", "kappa_r", "deg", open(0, 180), "edge angle")
         .optional(&ChipFormation::rake_deg, "gamma", "gamma", "deg", open(-90, 90), "rake angle")
         .optional(&ChipFormation::chip_compression, "k", "k", "1", closed(1.2, 5), "chip compression ratio")
         .optional(&ChipFormation::kc11_n_mm2, "kc11", "k_c1.1", "N/mm2", positive(), "specific cutting force")

@@ -11,8 +11,8 @@
 namespace verstat::models::thermal {
 namespace {
 
-// Mean over a line source of width b of 1/distance, times b/2 ... : 2 (b arsinh(b/d) - sqrt(b^2+d^2) + d),
-// written without the cancellation at d >> b.
+// 1/distance integrated over two parallel lines of the length b, a distance d apart:
+// 2 (b arsinh(b/d) - sqrt(b^2 + d^2) + d), written without the cancellation at d >> b.
 double line_interaction(double b, double d) {
   return 2 * (b * std::asinh(b / d) - b * b / (d + std::hypot(b, d)));
 }
