@@ -59,14 +59,17 @@ DressingRadius dressing_radius(const DressingSearch& in) {
       return tangent_radius_mm(stock_point, points[foot],
                                normals[in.variant == DressingVariant::tangent ? foot : top]);
     };
-    DressingRadius out{std::numeric_limits<double>::infinity(), 0, 0};
+    DressingRadius out{unlimited_mm, 1, 0};
+    double at_index = std::numeric_limits<double>::infinity();
     for (std::size_t k = 1; k + 1 < n; ++k) {
       double here = radius(k - 1, k + 1);
       if (in.both_directions) here = std::min(here, radius(k + 1, k - 1));
-      if (here < out.radius_mm) {
-        out.radius_mm = here;
+      // Symmetric and straight profiles tie up to rounding: the first point stays.
+      if (here < at_index * (1 - 1e-9)) {
+        at_index = here;
         out.index = static_cast<std::int64_t>(k);
       }
+      out.radius_mm = std::min(out.radius_mm, here);
       out.largest_radius_mm = std::max(out.largest_radius_mm, here);
     }
     return out;
