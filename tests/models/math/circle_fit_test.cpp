@@ -7,11 +7,12 @@
 #include <rapidcheck.h>
 
 #include "models/catalogue/error.h"
+#include "tests/property.h"
 
 using namespace verstat::models;
 
 TEST_CASE("circle fit: points of an arc give its centre and radius", "[math]") {
-  rc::check([] {
+  verstat::tests::check_property([] {
     const double x = *rc::gen::inRange(-100, 100);
     const double y = *rc::gen::inRange(-100, 100);
     const double radius = *rc::gen::inRange(1, 100);

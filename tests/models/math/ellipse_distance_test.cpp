@@ -8,10 +8,12 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
+#include "tests/property.h"
+
 using verstat::models::ellipse_distance;
 
 TEST_CASE("ellipse distance: brute force over the whole ellipse", "[math]") {
-  rc::check([] {
+  verstat::tests::check_property([] {
     const double major = *rc::gen::inRange(1, 1000) * 0.1;
     const double minor = major * *rc::gen::inRange(0, 101) * 0.01;
     const double x = *rc::gen::inRange(-1500, 1500) * 0.1;
