@@ -57,8 +57,11 @@ double probability_two(const SmoothLife& life, double t_min, double z, double r1
       [&](double s) {
         const double x_min = life.time(s);
         const double density = z * life.density_slope(s);
-        if (density == 0) return 0.0;
         const double left_min = t_min - x_min;
+        // Bound of the inner integral: its last exponent is smallest where the second failure comes last.
+        const double bound =
+            (z - 1) * std::exp(-life.hazard(s) - (z - 2) * life.hazard_at(x_min + r1 * left_min));
+        if (density * bound < 1e-20) return 0.0;  // would only ask the quadrature for digits of rounding
         const double inner = integrate(
             [&](double v) {
               const double y_min = life.time(v);

@@ -31,10 +31,13 @@ LifeLaw arbitrary_law() {
 
 TEST_CASE("Weibull shape and coefficient of variation are inverse over the whole range", "[math]") {
   for (int k = 0; k <= 2000; ++k) {
-    const double cv = 0.025 * std::pow(10 / 0.025, k / 2000.0);
+    const double cv = 1e-4 * std::pow(10 / 1e-4, k / 2000.0);
     INFO(cv);
     CHECK(weibull_cv(weibull_shape(cv)) == Approx(cv).epsilon(2e-12));
   }
+  // Both forms of the coefficient of variation meet where one takes over.
+  CHECK(weibull_cv(1 / 0.030000001) == Approx(weibull_cv(1 / 0.029999999)).epsilon(1e-7));
+  CHECK(weibull_cv(1e4) == Approx(M_PI / std::sqrt(6.0) * 1e-4).epsilon(1e-3));  // Gumbel limit
   CHECK(weibull_shape(1) == 1);
   CHECK(weibull_shape(std::nextafter(1.0, 0.0)) >= 1);
   CHECK(weibull_shape(std::nextafter(1.0, 2.0)) <= 1);
