@@ -146,7 +146,7 @@ void describe_mission(Source& source) {
       .with(allowed<MillSharing>(3, 15))
       .with(sharing<MillMission>())
       .with(mill)
-      .note("Exact over the patterns of working teeth. Slow (a second) for z = 16 with alpha near 4.");
+      .note("Exact over the patterns of working teeth. Takes up to 0.2 s for z = 16.");
   source
       .function<&mission_reliability_from_state>("mission_reliability_from_state",
                                                  "Reliability of a mission begun with failed teeth.", "(C3)",

@@ -1,14 +1,11 @@
 // K109: the paper's formulas and the exact reliability of one mission.
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numbers>
 
-#include <boost/math/special_functions/gamma.hpp>
-
-#include "models/math/policy.h"
 #include "models/math/solve.h"
 #include "models/reliability/detail/k109_chain.h"
+#include "models/reliability/detail/k109_local.h"
 #include "models/reliability/k109_face_mill_replacement.h"
 
 namespace verstat::models::k109 {
@@ -26,95 +23,6 @@ double chain_reliability(std::int64_t teeth, std::int64_t now, std::int64_t allo
   if (now > allowed) return 0;
   return std::min(1.0, detail::run_chain(detail::stage_rates(teeth, now, allowed, alpha), exposure).alive());
 }
-
-// (C4). States are the patterns of working teeth up to rotation, in the order of their number of failures;
-// a pattern is a bit mask, its canonical form the smallest of its rotations.
-class LocalSharing {
- public:
-  LocalSharing(int teeth, int failed_allowed, double alpha) : teeth_(teeth) {
-    std::vector<int> index(std::size_t{1} << teeth, -1);
-    std::vector<unsigned> level{full()};
-    add(full(), index);
-    for (int failed = 0; failed <= failed_allowed; ++failed) {
-      std::vector<unsigned> next;
-      for (const unsigned pattern : level) {
-        const int from = index[pattern];
-        for (int tooth = 0; tooth < teeth; ++tooth) {
-          if ((pattern >> tooth & 1U) == 0) continue;
-          const double rate = std::pow(gap_before(pattern, tooth), alpha);
-          total_[static_cast<std::size_t>(from)] += rate;
-          if (failed == failed_allowed) continue;  // the next failure absorbs
-          const unsigned to = canonical(pattern & ~(1U << tooth));
-          if (index[to] < 0) {
-            add(to, index);
-            next.push_back(to);
-          }
-          inflow_[static_cast<std::size_t>(index[to])].push_back({from, rate});
-        }
-      }
-      level = std::move(next);
-    }
-  }
-
-  // Probability of not being absorbed after exposure L, by uniformization.
-  [[nodiscard]] double reliability(double exposure) const {
-    if (exposure == 0) return 1;
-    const auto [slowest, fastest] = std::minmax_element(total_.begin(), total_.end());
-    if (*slowest * exposure > 1000) return 0;
-    const double q = *fastest;
-    const double jumps = q * exposure;
-    std::vector<double> p(total_.size(), 0.0);
-    p[0] = 1;
-    double alive = 1;
-    double sum = 0;
-    double weights = 0;
-    for (int k = 0;; ++k) {
-      // Poisson weight from its logarithm: exp(-jumps) alone may underflow.
-      const double weight =
-          std::exp(-jumps + k * std::log(jumps) - boost::math::lgamma(k + 1.0, MathPolicy()));
-      sum += weight * alive;
-      weights += weight;
-      if (k > jumps && weight < 1e-18) break;
-      alive = 0;
-      for (std::size_t s = p.size(); s-- > 0;) {  // from many failures to few: predecessors are still old
-        p[s] *= 1 - total_[s] / q;
-        for (const Inflow& in : inflow_[s]) p[s] += p[static_cast<std::size_t>(in.from)] * (in.rate / q);
-        alive += p[s];
-      }
-    }
-    return std::min(1.0, sum / weights);
-  }
-
- private:
-  struct Inflow {
-    int from;
-    double rate;
-  };
-  [[nodiscard]] unsigned full() const { return (1U << teeth_) - 1; }
-  [[nodiscard]] unsigned canonical(unsigned pattern) const {
-    unsigned least = pattern;
-    for (int k = 1; k < teeth_; ++k) {
-      pattern = ((pattern << 1) | (pattern >> (teeth_ - 1))) & full();
-      least = std::min(least, pattern);
-    }
-    return least;
-  }
-  // Pitches from the tooth to the nearest working one that cuts before it; z for a lone tooth.
-  [[nodiscard]] int gap_before(unsigned pattern, int tooth) const {
-    int gap = 1;
-    while (gap < teeth_ && (pattern >> ((tooth - gap + teeth_) % teeth_) & 1U) == 0) ++gap;
-    return gap;
-  }
-  void add(unsigned pattern, std::vector<int>& index) {
-    index[pattern] = static_cast<int>(total_.size());
-    total_.push_back(0);
-    inflow_.emplace_back();
-  }
-
-  int teeth_;
-  std::vector<double> total_;
-  std::vector<std::vector<Inflow>> inflow_;
-};
 
 }  // namespace
 
@@ -210,7 +118,8 @@ MillReliability mill_reliability_load_sharing(const MillSharing& in) {
 MillReliability mill_reliability_local_sharing(const MillSharing& in) {
   return guarded<&mill_reliability_local_sharing>(in, [&] {
     require_allowed(in.failed_allowed, in.teeth);
-    const LocalSharing states(static_cast<int>(in.teeth), static_cast<int>(in.failed_allowed), in.alpha);
+    const detail::LocalSharing states(static_cast<int>(in.teeth), static_cast<int>(in.failed_allowed),
+                                      in.alpha);
     return MillReliability{states.reliability(-std::log(in.r_tooth))};
   });
 }

@@ -150,6 +150,24 @@ TEST_CASE("K109: stiff chains and long missions agree with the closed form", "[K
   CHECK(pmf[0] == Approx(std::pow(0.5, 40)).epsilon(1e-9));
 }
 
+TEST_CASE("K109: stiff local sharing", "[K109]") {
+  // Above 400 expected jumps the chain is stepped implicitly; alpha = 1 has a closed form there, too.
+  for (const double r : {1e-11, 1e-13})
+    CHECK(local(r, 16, 15, 1) == Approx(erlang(-16 * std::log(r), 15)).epsilon(1e-8));
+  // Three teeth: patterns 3, 2, 1 teeth with total rates 3, 2^a + 1, 3^a; alpha 4 makes the last two fast.
+  const double rates[] = {3, 17, 81};
+  for (const double exposure : {0.5, 3.0, 6.0, 20.0}) {
+    double alive = 0;
+    for (int i = 0; i < 3; ++i) {
+      double factor = 1;  // survival of a sum of three exponential stages
+      for (int j = 0; j < 3; ++j)
+        if (j != i) factor *= rates[j] / (rates[j] - rates[i]);
+      alive += factor * std::exp(-rates[i] * exposure);
+    }
+    CHECK(local(std::exp(-exposure), 3, 2, 4) == Approx(alive).epsilon(1e-9));
+  }
+}
+
 TEST_CASE("K109: required tooth reliability inverts", "[K109]") {
   CHECK(rc::check([] {
     const auto z = *rc::gen::inRange<std::int64_t>(1, 20);
