@@ -1,18 +1,21 @@
 #pragma once
-// Properties that can fail a test: rc::check alone prints its counterexample and returns false, and Catch2
-// goes on.
+// RapidCheck's properties as Catch2 assertions: a bare rc::check only prints when a property is falsified.
 
+#include <string>
 #include <utility>
 
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
-namespace verstat::tests {
+namespace verstat::test {
 
-/// Checks a RapidCheck property, and fails the running test case with it.
-template <class Testable>
-void check_property(Testable&& testable) {
-  CHECK(rc::check(std::forward<Testable>(testable)));
+template <class Property>
+void property(Property&& holds) {
+  CHECK(rc::check(std::forward<Property>(holds)));
+}
+template <class Property>
+void property(const std::string& what, Property&& holds) {
+  CHECK(rc::check(what, std::forward<Property>(holds)));
 }
 
-}  // namespace verstat::tests
+}  // namespace verstat::test

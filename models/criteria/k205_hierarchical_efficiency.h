@@ -418,7 +418,7 @@ struct Binding<k205::Groups> {
     return all;
   }
   static void read(k205::Groups& to, const Value& v, const Field& f) {
-    read_fields(&to, fields(), v, f.name);
+    within(f, [&] { read_fields(&to, fields(), v); });
   }
   static Value write(const k205::Groups& x) {
     Value::Map present;
@@ -427,13 +427,15 @@ struct Binding<k205::Groups> {
         present.emplace_back(field.name, std::move(value));
     return present;
   }
-  static void check(const k205::Groups&, const Field&) {}
+  static void check(const k205::Groups& x, const Field& f) {
+    within(f, [&] { check_fields(&x, fields()); });
+  }
   static bool finite(const k205::Groups& x) {
     for (const Field& field : fields())
       if (!field.access->finite(&x)) return false;
     return true;
   }
-  static std::string type() { return "structure of group values"; }
+  static TypeInfo type() { return {.kind = TypeInfo::Kind::structure, .fields = &fields()}; }
 };
 
 }  // namespace verstat::models::detail

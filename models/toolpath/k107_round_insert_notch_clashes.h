@@ -176,5 +176,7 @@ struct verstat::models::detail::Binding<verstat::models::k107::Clash> {
   }
   static void check(const Clash& x, const Field& f) { Binding<k107::NotchZone>::check(x.zone, f); }
   static bool finite(const Clash&) { return true; }
-  static std::string type() { return "list [integer, integer, \"lead\" or \"trail\"]"; }
+  static TypeInfo type() {
+    return {.kind = TypeInfo::Kind::list, .element = {{.kind = TypeInfo::Kind::text}}};  // of mixed entries
+  }
 };

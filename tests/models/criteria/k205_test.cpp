@@ -6,6 +6,8 @@
 
 #include "models/criteria/k205_hierarchical_efficiency.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k205;
 
@@ -62,7 +64,7 @@ TEST_CASE("K205: perfect and useless diagnosis bound the information", "[K205]")
   CHECK(*perfect.e01 == Approx(1));
   CHECK(*perfect.e02 == 1);
   CHECK(*perfect.e08 == Approx(0.5 / 0.8));
-  rc::check([] {
+  verstat::test::property([] {
     const double defective = *rc::gen::inRange(1, 500);
     const double good = *rc::gen::inRange(1, 500);
     const double reject = *rc::gen::inRange(0, 101) * 0.01;
@@ -110,7 +112,7 @@ TEST_CASE("K205: criteria without a denominator are left out", "[K205]") {
 TEST_CASE("K205: criterion 4 falls with every detection probability", "[K205]") {
   CHECK(criterion_inspection_set({10, 0.1, {1, 1}, {0.6, 0.4}}).efficiency_cu == Approx(10));
   CHECK(criterion_inspection_set({10, 0.1, {0, 0}, {0.6, 0.4}}).efficiency_cu == Approx(10 / 0.9));
-  rc::check([] {
+  verstat::test::property([] {
     const double p = *rc::gen::inRange(0, 100) * 0.01;
     const double other = *rc::gen::inRange(0, 101) * 0.01;
     RC_ASSERT(criterion_inspection_set({10, 0.3, {p + 0.01, other}, {0.6, 0.4}}).efficiency_cu <
@@ -119,7 +121,7 @@ TEST_CASE("K205: criterion 4 falls with every detection probability", "[K205]") 
 }
 
 TEST_CASE("K205: no set of inspection operations beats the chosen one", "[K205]") {
-  rc::check([] {
+  verstat::test::property([] {
     InspectionChoice in{20, 0.01 * *rc::gen::inRange(0, 60), {0.5, 0.3, 0.2}, {}, {}};
     const auto operations = static_cast<std::size_t>(*rc::gen::inRange(1, 7));
     for (std::size_t k = 0; k < operations; ++k) {
@@ -175,7 +177,7 @@ TEST_CASE("K205: above 20 operations no single change improves the set", "[K205]
 }
 
 TEST_CASE("K205: minimum <= multiplicative <= additive", "[K205]") {
-  rc::check([] {
+  verstat::test::property([] {
     Aggregate in{{}, std::vector<double>{}, Form::additive};
     const int n = *rc::gen::inRange(1, 6);
     for (int k = 0; k < n; ++k) {
@@ -213,7 +215,7 @@ TEST_CASE("K205: groups without a weighted criterion are left out, missed limits
 }
 
 TEST_CASE("K205: an exact match lies inside thresholds around zero", "[K205]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double target = *rc::gen::inRange(-50, 50);
     const double low = -0.1 * *rc::gen::inRange(1, 50);
     const double high = 0.1 * *rc::gen::inRange(1, 50);
@@ -229,7 +231,7 @@ TEST_CASE("K205: an exact match lies inside thresholds around zero", "[K205]") {
 }
 
 TEST_CASE("K205: Kendall tau is symmetric and bounded; the Pareto set is undominated", "[K205]") {
-  rc::check([] {
+  verstat::test::property([] {
     CriteriaMatrix in;
     const int n = *rc::gen::inRange(1, 8);
     for (int k = 0; k < n; ++k)

@@ -7,6 +7,8 @@
 
 #include "models/cutting/k102_insert_nose_radius_forces.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k102;
 
@@ -36,7 +38,7 @@ double brute_area(const ChipSectionInputs& in) {
 }  // namespace
 
 TEST_CASE("K102: a sharp nose has the closed section", "[K102]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double t = *rc::gen::inRange(100, 500) * 0.01;
     const double s = *rc::gen::inRange(5, 60) * 0.01;
     const double phi = *rc::gen::inRange(30, 90) * deg;

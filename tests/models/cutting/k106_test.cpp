@@ -4,6 +4,8 @@
 
 #include "models/cutting/k106_cylindrical_rake_hard_turning.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k106;
 
@@ -36,7 +38,7 @@ TEST_CASE("K106: the ratio of radial and tangential force runs from 1 to 4 with 
 
 TEST_CASE("K106: forces rise with feed, depth and wear; sharp tools are equal; speed has no effect",
           "[K106]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double s = *rc::gen::inRange(10, 70) * 0.01;
     const double t = *rc::gen::inRange(5, 25) * 0.01;
     const double h = *rc::gen::inRange(0, 20) * 0.01;

@@ -8,6 +8,8 @@
 
 #include "models/drilling/k111_reverse_tilt_chisel_edge.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k111;
 
@@ -71,7 +73,7 @@ TEST_CASE("K111: the worked example", "[K111]") {
 }
 
 TEST_CASE("K111: main edge clearance at the periphery and at the junction with the chisel", "[K111]") {
-  rc::check([] {
+  verstat::test::property([] {
     const DrillPoint p = any_point();
     const double at_corner = main_edge_clearance({p, p.drill_radius_mm}).clearance_deg;
     RC_ASSERT(std::abs(at_corner - p.clearance_periphery_deg) < 1e-10);
@@ -113,7 +115,7 @@ TEST_CASE("K111: limits of the slot along the standard chisel and along the main
 }
 
 TEST_CASE("K111: clearances fall with the tilt and vanish at 90 deg", "[K111]") {
-  rc::check([] {
+  verstat::test::property([] {
     const DrillPoint p = any_point();
     const double theta = standard_chisel_geometry(p).theta_p_deg;
     double axial = 90;
@@ -138,7 +140,7 @@ TEST_CASE("K111: clearances fall with the tilt and vanish at 90 deg", "[K111]") 
 }
 
 TEST_CASE("K111: the rotation of the cutting plane is that of the velocity vector", "[K111]") {
-  rc::check([] {
+  verstat::test::property([] {
     const DrillPoint p = any_point();
     const double theta = standard_chisel_geometry(p).theta_p_deg;
     WorkingPoint in{
@@ -163,7 +165,7 @@ TEST_CASE("K111: no feed turns the plane back, and the turn vanishes at S tan(ph
 }
 
 TEST_CASE("K111: largest feed and rubbing radius invert the kinematics", "[K111]") {
-  rc::check([] {
+  verstat::test::property([] {
     const DrillPoint p = any_point();
     const double theta = standard_chisel_geometry(p).theta_p_deg;
     const SlottedPoint slot{p, real(5, 80, 1) - theta};

@@ -6,6 +6,8 @@
 
 #include "models/drilling/k113_through_hole_feed_change.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k113;
 
@@ -48,7 +50,7 @@ TEST_CASE("K113: handbook exponents give the printed diameter exponents", "[K113
 }
 
 TEST_CASE("K113: thrust at the ruled feed is the diameter law", "[K113]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double d = real(10, 400, 0.1);
     const double feed = drill_feed_rule({0.05, d}).feed_mm_rev;
     const double thrust = drill_thrust({11.6, d, feed, 217, 1, 0.7, 0.75}).thrust_n;
@@ -58,7 +60,7 @@ TEST_CASE("K113: thrust at the ruled feed is the diameter law", "[K113]") {
 }
 
 TEST_CASE("K113: the fit recovers a power law exactly", "[K113]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double c = real(1, 10000, 0.01);
     const double x = real(-300, 300, 0.01);
     LoadFitInputs in{{3, 5, 8, 12, 20, 30}, {}};
@@ -76,7 +78,7 @@ TEST_CASE("K113: the fit recovers a power law exactly", "[K113]") {
 }
 
 TEST_CASE("K113: the largest load is not below the likely one, equal without spread", "[K113]") {
-  rc::check([] {
+  verstat::test::property([] {
     GroupLoadInputs in;
     for (int k = 0; k < 6; ++k) {
       in.coefficients.push_back(real(50, 150, 1));

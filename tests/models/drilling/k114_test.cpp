@@ -9,6 +9,8 @@
 #include "models/drilling/k111_reverse_tilt_chisel_edge.h"
 #include "models/drilling/k114_sharpened_chisel_edge.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k114;
 
@@ -43,7 +45,7 @@ TEST_CASE("K114: vertical planes give 90 deg of clearance and no rake", "[K114]"
 }
 
 TEST_CASE("K114: clearance falls, rake grows, and they are complementary", "[K114]") {
-  rc::check([] {
+  verstat::test::property([] {
     const Edge edge{real(1, 90, 1), real(1, 91, 1)};
     double alpha = 91;
     double gamma = -1;
@@ -63,7 +65,7 @@ TEST_CASE("K114: clearance falls, rake grows, and they are complementary", "[K11
 }
 
 TEST_CASE("K114: the angles are those between the ground planes and the cutting and base planes", "[K114]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double psi = real(1, 90, 1);
     const double phi = real(1, 90, 1);
     const double eps = real(1, 90, 1);
@@ -100,7 +102,7 @@ TEST_CASE("K114: the printed rake folds back where its arcsine does", "[K114]") 
 }
 
 TEST_CASE("K114: settings return their targets whenever feasible", "[K114]") {
-  rc::check([] {
+  verstat::test::property([] {
     const Edge edge{real(1, 90, 1), real(1, 91, 1)};
     const Targets in{edge, real(0, 91, 1), real(0, 91, 1)};
     const Settings s = chisel_edge_setting_angles(in);
@@ -148,7 +150,7 @@ TEST_CASE("K114: conventional points", "[K114]") {
 }
 
 TEST_CASE("K114: the two-plane chisel lies on the second flank of both teeth", "[K114]") {
-  rc::check([] {
+  verstat::test::property([] {
     const TwoPlanePoint in{real(90, 151, 1), real(5, 90, 1), real(0, 31, 1), real(0, 60, 0.01)};
     const TwoPlaneChisel out = two_plane_chisel_plan_angle(in);
     const double a = 1 / std::tan(in.two_phi_deg / 2 * deg);

@@ -6,6 +6,8 @@
 
 #include "models/drilling/k410_drilling_fem.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k410;
 
@@ -29,7 +31,7 @@ TEST_CASE("K410: handbook speeds", "[K410]") {
 }
 
 TEST_CASE("K410: loads rise with diameter, feed and strength, time falls with n s", "[K410]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double d = *rc::gen::inRange(20, 590) * 0.1, s = *rc::gen::inRange(20, 1150) * 1e-3;
     const double strength = *rc::gen::inRange(300, 1190);
     const auto base = drilling_loads({d, s, 500, strength});
@@ -50,7 +52,7 @@ TEST_CASE("K410: loads rise with diameter, feed and strength, time falls with n 
 }
 
 TEST_CASE("K410: an exact power law is recovered, whatever the runs", "[K410]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double c = *rc::gen::inRange(1, 1000), p = *rc::gen::inRange(-20, 21) * 0.1,
                  q = *rc::gen::inRange(-20, 21) * 0.1;
     Runs runs;

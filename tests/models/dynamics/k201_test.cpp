@@ -7,6 +7,8 @@
 
 #include "models/dynamics/k201_bearing_resonance.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k201;
 
@@ -60,7 +62,7 @@ TEST_CASE("K201: stiffness and natural frequencies of the paper", "[K201]") {
 }
 
 TEST_CASE("K201: harmonics of a known stiffness come back", "[K201]") {
-  rc::check([] {
+  verstat::test::property([] {
     const int n = *rc::gen::inRange(5, 60);
     const int m = *rc::gen::inRange(1, (n + 1) / 2);
     const double amplitude = 0.1 * *rc::gen::inRange(1, 30);
@@ -116,7 +118,7 @@ TEST_CASE("K201: without modulation the half trace is cos(pi sqrt(a))", "[K201]"
 }
 
 TEST_CASE("K201: zone borders separate growth from rest", "[K201]") {
-  rc::check([] {
+  verstat::test::property([] {
     const int zone = *rc::gen::inRange(1, 4);
     const double b = 0.05 * *rc::gen::inRange(20, 60);
     const ZoneEdges e = mathieu_zone_edges({zone, b});

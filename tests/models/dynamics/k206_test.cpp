@@ -8,6 +8,8 @@
 #include "models/dynamics/elastic_rod.h"
 #include "models/dynamics/k206_spindle_base_frequencies.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k206;
 
@@ -146,7 +148,7 @@ TEST_CASE("K206: frequencies are the sign changes of the determinants", "[K206]"
 }
 
 TEST_CASE("K206: reciprocity and the static limit", "[K206]") {
-  rc::check([] {
+  verstat::test::property([] {
     const std::int64_t i = *rc::gen::inRange(0, 6);
     const std::int64_t j = *rc::gen::inRange(0, 6);
     const double f = *rc::gen::inRange(5, 9000);
@@ -218,7 +220,7 @@ TEST_CASE("K206: sections need not be as many on both rods, and equal rods count
 }
 
 TEST_CASE("K206: the required mount stiffness just meets its target", "[K206]") {
-  rc::check([] {
+  verstat::test::property([] {
     MountTarget in;
     static_cast<SpindleUnit&>(in) = unit(1, 1);
     in.target_hz = *rc::gen::inRange(20, 900);

@@ -8,6 +8,8 @@
 
 #include "models/dynamics/k210_hydrostatic_bearing.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k210;
 
@@ -50,7 +52,7 @@ TEST_CASE("K210: centred without rotation every pocket holds beta p_s", "[K210]"
 }
 
 TEST_CASE("K210: pressures solve the pocket balance", "[K210]") {
-  rc::check([] {
+  verstat::test::property([] {
     Displacement in;
     in.ex_um = *rc::gen::inRange(-35, 36);
     in.ey_um = *rc::gen::inRange(-35, 36);

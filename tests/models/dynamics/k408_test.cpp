@@ -9,6 +9,8 @@
 
 #include "models/dynamics/k408_stepped_axial_tool.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k408;
 
@@ -103,7 +105,7 @@ TEST_CASE("K408: a uniform beam has its textbook frequencies", "[K408]") {
 }
 
 TEST_CASE("K408: six frequencies of random tools are those of beam elements", "[K408]") {
-  rc::check([] {
+  verstat::test::property([] {
     auto in = random_tool();
     in.scheme = *rc::gen::inRange(1, 7);
     const auto got = omegas(in, 6);
@@ -116,7 +118,7 @@ TEST_CASE("K408: six frequencies of random tools are those of beam elements", "[
 }
 
 TEST_CASE("K408: constraints raise frequencies and the tips interlace", "[K408]") {
-  rc::check([] {
+  verstat::test::property([] {
     auto in = random_tool();
     std::vector<std::vector<double>> w(7);
     for (int scheme = 1; scheme <= 6; ++scheme) {
@@ -177,7 +179,7 @@ TEST_CASE("K408: modes that no segment end shows are refused", "[K408]") {
 }
 
 TEST_CASE("K408: receptance is symmetric, damped and flexible as the beam", "[K408]") {
-  rc::check([] {
+  verstat::test::property([] {
     auto in = random_tool();
     in.scheme = *rc::gen::inRange(1, 7);
     const auto n = static_cast<std::int64_t>(in.length_mm.size());

@@ -9,6 +9,8 @@
 #include "models/gears/k101_hobbing_chip_thickness.h"
 #include "models/math/trig_degrees.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k101;
 
@@ -118,7 +120,7 @@ double pitch_circle_gap(const Hobbing& in) {
 }  // namespace
 
 TEST_CASE("K101: without swivel the approach is sqrt(h (d - h)), first contact at 90 deg", "[K101]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double d = *rc::gen::inRange(50, 200);
     const double h = *rc::gen::inRange(10, 200) * 0.1;
     const double gear = *rc::gen::inRange(30, 400);
@@ -189,7 +191,7 @@ TEST_CASE("K101: the outline is continuous and stays on the tooth", "[K101]") {
 }
 
 TEST_CASE("K101: the relative velocity is the derivative of the motion", "[K101]") {
-  rc::check([] {
+  verstat::test::property([] {
     VelocityInputs in;
     in.gear_helix_deg = *rc::gen::inRange(-40, 40);
     in.feed_mode = *rc::gen::element(FeedMode::climb, FeedMode::conventional);

@@ -8,6 +8,8 @@
 #include "models/gears/k202_hyperboloid_forming.h"
 #include "models/math/solve.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k202;
 
@@ -26,7 +28,7 @@ double distance(const GearPoint& a, const GearPoint& b) {
 }  // namespace
 
 TEST_CASE("K202: the transformation keeps every distance", "[K202]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto any = [] { return 0.37 * *rc::gen::inRange(-500, 500); };
     const double phi = any(), u = 0.01 * any(), a = any(), gamma = any();
     const ToolPoint p{any(), any(), any(), phi, u, a, gamma};
@@ -37,7 +39,7 @@ TEST_CASE("K202: the transformation keeps every distance", "[K202]") {
 }
 
 TEST_CASE("K202: normal and curvature of the involute", "[K202]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double t = 0.01 * *rc::gen::inRange(1, 120);
     const std::int64_t z = *rc::gen::inRange(12, 80);
     const InvoluteProfile f = involute_tool_profile({3, z, 20, t});
@@ -71,7 +73,7 @@ TEST_CASE("K202: the pitch point touches at the throat", "[K202]") {
 }
 
 TEST_CASE("K202: at a contact point the relative velocity lies in the surface", "[K202]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double t = 0.01 * *rc::gen::inRange(15, 80);
     const double phi = 0.5 * *rc::gen::inRange(-10, 31);
     const double gamma = *rc::gen::inRange(10, 60);

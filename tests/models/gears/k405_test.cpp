@@ -7,11 +7,13 @@
 
 #include "models/gears/k405_hyperboloid_contact.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k405;
 
 TEST_CASE("K405: the pair is the pitch-point value of the kinematics, sliding along the tooth", "[K405]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double beta_gear = *rc::gen::inRange(-60, 61);
     const double beta_tool = *rc::gen::inRange(-60, 61);
     const std::int64_t z_gear = *rc::gen::inRange(10, 80);

@@ -7,11 +7,13 @@
 
 #include "models/milling/k105_tslot_chip_reinteraction.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k105;
 
 TEST_CASE("K105: shares add up to 1", "[K105]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto count = [] { return static_cast<std::int64_t>(*rc::gen::inRange(0, 2000)); };
     const ChipCounts in{count(), count(), count(), count() + 1};
     const ChipShares s = chip_group_shares(in);

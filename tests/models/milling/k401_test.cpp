@@ -9,6 +9,8 @@
 
 #include "models/milling/k401_ball_end_hardened_steel_forces.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k401;
 
@@ -94,7 +96,7 @@ TEST_CASE("K401: extremes over the box", "[K401]") {
 }
 
 TEST_CASE("K401: signs of the influences", "[K401]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto d = ball_end_force_gradient(anywhere());
     RC_ASSERT((d.x_n < 0 && d.y_n < 0 && d.z_n == 0));
     RC_ASSERT((d.x_alpha < 0 && d.y_alpha < 0 && d.z_alpha < 0));
@@ -104,7 +106,7 @@ TEST_CASE("K401: signs of the influences", "[K401]") {
 }
 
 TEST_CASE("K401: gradient equals central differences", "[K401]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto in = anywhere();
     const auto d = ball_end_force_gradient(in);
     const auto difference = [&](auto change, double step) {
@@ -145,7 +147,7 @@ TEST_CASE("K401: hardness turns the in-plane force rather than raising it", "[K4
 }
 
 TEST_CASE("K401: the largest feed is that of a fine scan", "[K401]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto place = anywhere();
     LimitedCut in;
     static_cast<CutWidth&>(in) = place;

@@ -9,6 +9,8 @@
 
 #include "models/milling/k406_ball_end_energy_forces.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k406;
 
@@ -50,7 +52,7 @@ TEST_CASE("K406: an orthogonal edge without flow gives Merchant's force", "[K406
 }
 
 TEST_CASE("K406: shear area and effective rake are those of the velocity vectors", "[K406]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double i = *rc::gen::inRange(-60, 61), eta = *rc::gen::inRange(-50, 61);
     const double rake = *rc::gen::inRange(-20, 31), phi = *rc::gen::inRange(10, 50);
     // x along the cutting velocity, y away from the work, the edge inclined in the x-z plane.
@@ -73,7 +75,7 @@ TEST_CASE("K406: shear area and effective rake are those of the velocity vectors
 }
 
 TEST_CASE("K406: the chip flows where the power is least, and the forces close", "[K406]") {
-  rc::check([] {
+  verstat::test::property([] {
     ObliqueInputs in;
     in.cutting_speed_m_min = *rc::gen::inRange(5, 100);
     in.feed_mm = *rc::gen::inRange(20, 200) * 1e-3;

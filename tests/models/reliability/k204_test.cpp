@@ -8,6 +8,8 @@
 
 #include "models/reliability/k204_safety_clutch.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k204;
 
@@ -94,7 +96,7 @@ TEST_CASE("K204: a clutch set too high protects nothing", "[K204]") {
 }
 
 TEST_CASE("K204: trips fall and breaks rise with the setting, probabilities stay probabilities", "[K204]") {
-  rc::check([] {
+  verstat::test::property([] {
     SpikeInputs in{*rc::gen::inRange(5, 60) * 1.0,      0.05 * *rc::gen::inRange(1, 41),
                    *rc::gen::inRange(5, 90) * 1.0,      1 + 0.01 * *rc::gen::inRange(1, 51),
                    1 + 0.01 * *rc::gen::inRange(0, 40), *rc::gen::inRange(5, 120) * 1.0};
@@ -113,7 +115,7 @@ TEST_CASE("K204: trips fall and breaks rise with the setting, probabilities stay
 }
 
 TEST_CASE("K204: the window opens exactly at the required overload ratio, and the speed with it", "[K204]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double k_t = 1 + 0.01 * *rc::gen::inRange(0, 30);
     const double k_d = 1 + 0.01 * *rc::gen::inRange(0, 30);
     const double drift = 1 - 0.01 * *rc::gen::inRange(0, 20);
@@ -145,7 +147,7 @@ TEST_CASE("K204: no setting is cheaper than the optimal one", "[K204]") {
         {in.cutting_torque_nm, in.spike_mean_ratio, set, in.accuracy, in.dynamic_factor, in.break_torque_nm});
     return p.p_trip_safe * in.trip_cost + p.p_break * in.break_cost;
   };
-  rc::check([&] {
+  verstat::test::property([&] {
     const OptimumInputs in{25,
                            0.05 * *rc::gen::inRange(2, 20),
                            1.15,

@@ -7,6 +7,8 @@
 #include "models/math/solve.h"
 #include "models/surface/k311_lapping_cycle.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k311;
 
@@ -57,7 +59,7 @@ TEST_CASE("K311: peaks go first, the defect layer after them", "[K311]") {
 }
 
 TEST_CASE("K311: damaged depth and allowance keep their sum with the removal", "[K311]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto tenths = *rc::gen::container<std::vector<int>>(rc::gen::inRange(0, 3));
     std::vector<std::vector<double>> passes;
     double removed = 0;
@@ -80,7 +82,7 @@ TEST_CASE("K311: a web lapped from both sides thins twice as fast", "[K311]") {
 }
 
 TEST_CASE("K311: the switching allowance is the least one that the limits allow", "[K311]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double rough = *rc::gen::inRange(0, 300) * 0.01;
     const double deep = *rc::gen::inRange(0, 300) * 0.01;
     const double at = switch_allowance({rough, deep, 0.3, 0.5}).allowance_um;
@@ -110,7 +112,7 @@ TEST_CASE("K311: material survives where no grain reaches, and less of it with t
   CHECK(untouched(1.1, 0.01) == 1);
   CHECK(untouched(5, 0.01) == 1);
   CHECK(untouched(0.3, 0) == 1);
-  rc::check([] {
+  verstat::test::property([] {
     const double y = *rc::gen::inRange(0, 105) * 0.01;
     const double t = *rc::gen::inRange(1, 100) * 1e-4;
     RC_ASSERT(untouched(y, t) <= untouched(y + 0.05, t));
@@ -176,7 +178,7 @@ TEST_CASE("K311: the best lap reset beats every other number of parts", "[K311]"
   CHECK(card.time_min == Approx(13.66).margin(5e-3));
   CHECK(best_lap_reset({10, 0, 2, 15, 50}).parts == 50);
   CHECK(best_lap_reset({10, 0, 2, 0, 50}).parts == 1);
-  rc::check([] {
+  verstat::test::property([] {
     const LapReset in{*rc::gen::inRange(1, 30) * 1.0, *rc::gen::inRange(0, 50) * 1e-3, 2,
                       *rc::gen::inRange(0, 60) * 1.0, *rc::gen::inRange(1, 120)};
     std::int64_t best = 1;

@@ -9,6 +9,8 @@
 
 #include "models/surface/k411_finish_turning_roughness.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k411;
 
@@ -52,7 +54,7 @@ TurnedSurface surface(double feed, double radius, double kr, double kr1) {
 }  // namespace
 
 TEST_CASE("K411: height and mean deviation are those of the sampled profile", "[K411]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double feed = *rc::gen::inRange(20, 1500) * 1e-3;
     const double radius = *rc::gen::inRange(100, 3000) * 1e-3;
     const double kr = *rc::gen::inRange(10, 88);
@@ -71,7 +73,7 @@ TEST_CASE("K411: mean deviation is 0.2566 h for the nose arc and 0.25 h for a tr
   CHECK(arc.ra_profile_um / arc.height_um == Approx(0.2566).margin(5e-5));
   const auto triangle = theoretical_roughness(surface(1.5, 0.1, 10, 2));
   CHECK(triangle.ra_profile_um / triangle.height_um == Approx(0.25).margin(2e-3));
-  rc::check([] {
+  verstat::test::property([] {
     const auto p =
         theoretical_roughness(surface(*rc::gen::inRange(10, 1500) * 1e-3, *rc::gen::inRange(1, 51) * 0.1,
                                       *rc::gen::inRange(30, 76), *rc::gen::inRange(5, 46)));
@@ -118,7 +120,7 @@ TEST_CASE("K411: the limits name the lower regime", "[K411]") {
 }
 
 TEST_CASE("K411: Ra and Ra + z sigma rise with feed, so the inverses are unique", "[K411]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double feed = *rc::gen::inRange(10, 1490) * 1e-3;
     const double radius = *rc::gen::inRange(1, 51) * 0.1;
     const double kr = *rc::gen::inRange(10, 91);

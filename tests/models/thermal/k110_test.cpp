@@ -7,6 +7,8 @@
 
 #include "models/thermal/k110_contact_hot_spots.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k110;
 
@@ -59,7 +61,7 @@ TEST_CASE("K110: the mean rise follows the cube root of speed and thickness", "[
 
 TEST_CASE("K110: the speed limit inverts the mean temperature, and falls with the cube of the factor",
           "[K110]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double u = real(300, 5000, 1);
     const double rho_c = real(15, 40, 0.1);
     const double a = real(2, 100, 1);
@@ -108,7 +110,7 @@ TEST_CASE("K110: the wear multiplier has its limits and grows with energy, tempe
   CHECK(hot_zone_wear_multiplier({900, 1300, 0, 80}).mean_rate_multiplier == 1);
   const HotZone whole = hot_zone_wear_multiplier({900, 1300, 1, 80});
   CHECK(whole.mean_rate_multiplier == Approx(whole.local_rate_ratio));
-  rc::check([] {
+  verstat::test::property([] {
     const double mean = real(20, 2000, 1);
     const HotZoneInputs in{mean, mean + real(1, 900, 1), real(1, 90, 0.01), real(1, 900, 1)};
     const double base = hot_zone_wear_multiplier(in).mean_rate_multiplier;

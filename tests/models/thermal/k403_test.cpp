@@ -7,6 +7,8 @@
 #include "models/math/gauss_legendre.h"
 #include "models/thermal/k403_unsteady_cutting_temperature.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k403;
 
@@ -39,7 +41,7 @@ TEST_CASE("K403: Gauss rule of 24 points integrates polynomials of degree 47", "
 }
 
 TEST_CASE("K403: both sides of each contact have the same temperature", "[K403]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto any = [](int low, int high, double unit) { return *rc::gen::inRange(low, high) * unit; };
     const double l = any(20, 200, 0.01), h = any(1, 50, 0.01), m = any(1, 101, 0.01);
     ChipSide chip{.cutting_speed_m_min = any(20, 250, 1),
@@ -153,7 +155,7 @@ TEST_CASE("K403: exact warm-up starts as the square root of time and ends at the
   const double steady = wedge_functions({3, 1, 0, 90, Model::exact}).m1;
   CHECK(m_fo_exact({1e-6, 3}).m * steady == Approx(1.1284e-3).epsilon(2e-3));
   CHECK(m_fo_exact({1e12, 3}).m == Approx(1).epsilon(1e-5));
-  rc::check([] {
+  verstat::test::property([] {
     const double eta = *rc::gen::inRange(2, 500) * 0.1;
     const double low = std::exp(*rc::gen::inRange(-100, 150) * 0.1);
     RC_ASSERT(m_fo_exact({low, eta}).m < m_fo_exact({low * 1.1, eta}).m);

@@ -7,6 +7,8 @@
 
 #include "models/toolpath/k107_round_insert_notch_clashes.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k107;
 
@@ -19,7 +21,7 @@ double real(int low, int high, double scale) {
 }  // namespace
 
 TEST_CASE("K107: forbidden feed and depth undo the notch angles", "[K107]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double r = real(20, 160, 0.1);
     const double s = r * real(1, 1999, 0.001);
     const double t = r * real(1, 1001, 0.001);
@@ -58,7 +60,7 @@ TEST_CASE("K107: forbidden values rise with the slope, scale with the radius, an
 }
 
 TEST_CASE("K107: an interval holds its forbidden value and collapses without a guard", "[K107]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double slope = real(1, 90, 1);
     const double w = real(1, 100, 0.001);
     const FeedInterval s = forbidden_feed_interval({{3.5, slope}, w});
@@ -75,7 +77,7 @@ TEST_CASE("K107: an interval holds its forbidden value and collapses without a g
 }
 
 TEST_CASE("K107: the allowed feed is the largest one outside every interval", "[K107]") {
-  rc::check([] {
+  verstat::test::property([] {
     WantedFeed in{real(0, 300, 0.01), 3.5, {}, real(0, 200, 0.001)};
     const int n = *rc::gen::inRange(0, 8);
     for (int k = 0; k < n; ++k) in.slopes_deg.push_back(real(1, 300, 0.1));
@@ -121,7 +123,7 @@ TEST_CASE("K107: an edge that has cut whole parts is marked by later segments to
 }
 
 TEST_CASE("K107: the end of a forbidden interval used as feed or depth passes with margin 0", "[K107]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double slope = real(10, 300, 0.1);
     const FeedInterval s = forbidden_feed_interval({{3.5, slope}, 0.05});
     for (const double feed : {s.low_mm_rev, s.high_mm_rev}) {

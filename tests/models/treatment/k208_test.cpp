@@ -7,6 +7,8 @@
 
 #include "models/treatment/k208_drill_flank_kinematics.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k208;
 
@@ -40,7 +42,7 @@ CycleInputs cycle(double azimuth, double spin, double radius = 10) {
 }  // namespace
 
 TEST_CASE("K208: both flanks lie on their cones and are half a turn apart", "[K208]") {
-  rc::check([] {
+  verstat::test::property([] {
     FlankParameters in;
     in.u_mm = 0.1 * *rc::gen::inRange(1, 200);
     in.v_deg = *rc::gen::inRange(-180, 180);
@@ -104,7 +106,7 @@ TEST_CASE("K208: the clearance of the ground corner is nearly the one asked", "[
 }
 
 TEST_CASE("K208: normals point out of the flank, to the tip", "[K208]") {
-  rc::check([] {
+  verstat::test::property([] {
     FlankParameters f;
     f.surface = *rc::gen::inRange(1, 3);
     f.u_mm = 8.0 + 0.01 * *rc::gen::inRange(0, 300);

@@ -6,6 +6,8 @@
 
 #include "models/treatment/k305_thermo_friction_surface.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k305;
 
@@ -39,7 +41,7 @@ TEST_CASE("K305: the envelope includes its ends and judges the feed by the width
 
 TEST_CASE("K305: hardness falls from the factor to the base", "[K305]") {
   CHECK(hardness_ratio({500, 1.5}).ratio == Approx(1.125));
-  rc::check([] {
+  verstat::test::property([] {
     const double factor = 1 + *rc::gen::inRange(1, 100) * 0.01;
     const double depth = *rc::gen::inRange(0, 590);
     const double here = hardness_ratio({depth, factor}).ratio;
@@ -62,7 +64,7 @@ TEST_CASE("K305: residual stress passes through the printed ends", "[K305]") {
   CHECK(plain(30, 1) == Approx(-600));
   CHECK(alloy(0, 1) == Approx(-1100));
   CHECK(alloy(140, 1) == Approx(0).margin(1e-12));
-  rc::check([&] {
+  verstat::test::property([&] {
     const double depth = *rc::gen::inRange(0, 400), level = *rc::gen::inRange(0, 101) * 0.01;
     RC_ASSERT(alloy(depth, level) <= 0);
     RC_ASSERT(plain(depth, level) >= -(200 + 400 * level) - 1e-9);
@@ -75,7 +77,7 @@ TEST_CASE("K305: feed limit meets its corners and falls with width and depth", "
   CHECK(feed_limit({90, 2.5}).feed_mm_min == Approx(100).epsilon(1e-12));
   CHECK(feed_limit({60, 1}).feed_mm_min == Approx(333).margin(0.5));
   CHECK(feed_limit({100, 2.5}).feed_mm_min == Approx(86).margin(0.5));
-  rc::check([] {
+  verstat::test::property([] {
     const double width = *rc::gen::inRange(600, 990) * 0.1, depth = *rc::gen::inRange(100, 245) * 0.01;
     const double here = feed_limit({width, depth}).feed_mm_min;
     RC_ASSERT(feed_limit({width + 1, depth}).feed_mm_min < here);

@@ -7,6 +7,8 @@
 #include "models/math/solve.h"
 #include "models/treatment/k402_discrete_coating.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k402;
 
@@ -35,7 +37,7 @@ TEST_CASE("K402: thermal shear rises with the island, saturates and follows the 
     previous = tau;
   }
   CHECK(previous == Approx(saturated).epsilon(1e-4));
-  rc::check([] {
+  verstat::test::property([] {
     const double side = *rc::gen::inRange(10, 201), h = *rc::gen::inRange(10, 80) * 0.1;
     const auto hot = interface_thermal_shear(island(side, h));
     RC_ASSERT(hot.tau_max_mpa > 0);
@@ -61,7 +63,7 @@ TEST_CASE("K402: an island is in equilibrium", "[K402]") {
 }
 
 TEST_CASE("K402: the printed reductions by discreteness are met", "[K402]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double ratio = discrete_shear_ratio({static_cast<double>(*rc::gen::inRange(40, 121)),
                                                *rc::gen::inRange(20, 61) * 0.1})
                              .ratio;
@@ -73,7 +75,7 @@ TEST_CASE("K402: the printed reductions by discreteness are met", "[K402]") {
 }
 
 TEST_CASE("K402: the largest safe island is where the margin ends", "[K402]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double h = *rc::gen::inRange(10, 81) * 0.1, mismatch = *rc::gen::inRange(-40, 41) * 1e-7;
     const double pressure = *rc::gen::inRange(100, 900), adhesion = *rc::gen::inRange(100, 500);
     const HeatedCoating coating{h, 440000, 0.25, mismatch, 780};

@@ -8,6 +8,8 @@
 #include "models/math/solve.h"
 #include "models/treatment/k407_thread_rolling.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k407;
 
@@ -49,7 +51,7 @@ TEST_CASE("K407: area is the integral of the width, perimeter the length of the 
 }
 
 TEST_CASE("K407: eq. (6) conserves area: flat tip always, rounded tip below the arc", "[K407]") {
-  rc::check([] {
+  verstat::test::property([] {
     const RidgeShape shape{static_cast<double>(*rc::gen::inRange(2, 13)),
                            static_cast<double>(*rc::gen::inRange(0, 31)), *rc::gen::inRange(0, 50) * 0.01, 0};
     const double depth = *rc::gen::inRange(1, 100) * 0.002 * shape.pitch_mm;
@@ -99,7 +101,7 @@ TEST_CASE("K407: the sizing ridge fills the profile", "[K407]") {
 }
 
 TEST_CASE("K407: the contact arc is the intersection of two circles", "[K407]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double blank = *rc::gen::inRange(50, 600) * 0.1, roller = *rc::gen::inRange(400, 700) * 0.1;
     const double depth = *rc::gen::inRange(1, 100) * 0.01;
     const auto a = contact_arc({blank, roller, depth});
