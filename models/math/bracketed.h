@@ -24,7 +24,7 @@ template <class F>
   double a = high, fa = f_high;
   double b = low, fb = f_low;
   double c = high, fc = f_high;
-  double t = 0.5;
+  double t = std::clamp(fa / (fa - fb), 0.05, 0.95);  // the chord first
   for (int step = 0; step < 400; ++step) {
     const double x = a + t * (b - a);
     const double fx = f(x);

@@ -17,6 +17,7 @@ using std::numbers::pi;
 constexpr double rad_per_deg = pi / 180;
 constexpr double full_turn_slack = 1e-7 * rad_per_deg;  // the card's 1e-7 deg
 constexpr std::int64_t most_teeth = 2000;               // of a search; no disc cutter carries more
+constexpr std::int64_t most_equalised = 500;
 
 // ISO 286 tolerances IT6 to IT16 in micrometres, for nominal sizes up to and including `to_mm`.
 struct ItRow {
@@ -34,6 +35,11 @@ constexpr std::array<ItRow, 6> it_table{{
 
 std::optional<double> finite(double x) {
   return std::isfinite(x) ? std::optional(x) : std::nullopt;
+}
+
+// Only the angle within the turn matters to spacing.
+double first_tooth_rad(double angle_deg) {
+  return std::remainder(angle_deg, 360) * rad_per_deg;
 }
 
 struct Swing {
@@ -164,7 +170,7 @@ RkCusp rk_cusp(const RkToothPair& in) {
 
 RkDeviations rk_form_error_uniform(const RkUniformCutter& in) {
   return guarded<&rk_form_error_uniform>(in, [&] {
-    const Swing swing = uniform_swing(RkGeneration(in), in.first_tooth_angle_deg * rad_per_deg, in.teeth);
+    const Swing swing = uniform_swing(RkGeneration(in), first_tooth_rad(in.first_tooth_angle_deg), in.teeth);
     return RkDeviations{finite(swing.most_mm), finite(swing.least_mm)};
   });
 }
@@ -172,7 +178,7 @@ RkDeviations rk_form_error_uniform(const RkUniformCutter& in) {
 RkToothPositions rk_tooth_positions(const RkTolerance& in) {
   return guarded<&rk_tooth_positions>(in, [&] {
     const RkGeneration g(in);
-    const double first_rad = in.first_tooth_angle_deg * rad_per_deg;
+    const double first_rad = first_tooth_rad(in.first_tooth_angle_deg);
     const std::vector<Tooth> teeth = chain(g, first_rad, in.tolerance_mm);
     RkToothPositions out{};
     out.positions_listed = static_cast<std::int64_t>(teeth.size());
@@ -192,9 +198,9 @@ RkToothPositions rk_tooth_positions(const RkTolerance& in) {
 
 RkEqualisedCutter rk_equalised_cutter(const RkUniformCutter& in) {
   return guarded<&rk_equalised_cutter>(in, [&] {
-    require(in.teeth <= most_teeth, "teeth", in.teeth, "must not be more than 2000");
+    require(in.teeth <= most_equalised, "teeth", in.teeth, "must not be more than 500");
     const RkGeneration g(in);
-    const double first_rad = in.first_tooth_angle_deg * rad_per_deg;
+    const double first_rad = first_tooth_rad(in.first_tooth_angle_deg);
     constexpr std::string_view too_few = "too few: the tracks of neighbouring teeth do not meet";
     if (in.teeth == 1) {
       const double height_mm = g.cusp(g.tooth(first_rad), g.tooth(first_rad + 2 * pi)).height_mm;
@@ -223,7 +229,7 @@ RkEqualisedCutter rk_equalised_cutter(const RkUniformCutter& in) {
     }
     RkEqualisedCutter out{};
     out.equal_deviation_mm =
-        bracketed_root(excess, low_mm, high_mm, excess_low, excess_high, 1e-14 * high_mm);
+        bracketed_root(excess, low_mm, high_mm, excess_low, excess_high, 1e-12 * high_mm);
     out.tooth_angles_deg = equal_chain(g, first_rad, in.teeth, out.equal_deviation_mm);
     out.tooth_angles_deg.pop_back();
     for (double& angle : out.tooth_angles_deg) angle /= rad_per_deg;
@@ -234,7 +240,7 @@ RkEqualisedCutter rk_equalised_cutter(const RkUniformCutter& in) {
 RkTeeth rk_min_teeth(const RkTeethForTolerance& in) {
   return guarded<&rk_min_teeth>(in, [&] {
     const RkGeneration g(in);
-    const double first_rad = in.first_tooth_angle_deg * rad_per_deg;
+    const double first_rad = first_tooth_rad(in.first_tooth_angle_deg);
     if (in.spacing == Spacing::equalised)
       return RkTeeth{count_below_full_turn(chain(g, first_rad, in.tolerance_mm), first_rad)};
     double worst_rad = 0;
@@ -373,7 +379,7 @@ void describe(Catalogue& catalogue) {
       .function<&rk_form_error_uniform>("rk_form_error_uniform", "Form error with equally spaced teeth.",
                                         "eqs. (5)-(9), Tables 1 and 2", Provenance::reconstructed)
       .with(cutter)
-      .input(&RkUniformCutter::teeth, "teeth", "Z_f", "1", closed(1, 10'000), "number of teeth", 20)
+      .input(&RkUniformCutter::teeth, "teeth", "Z_f", "1", closed(1, 5000), "number of teeth", 20)
       .with(first_tooth_uniform)
       .output(&RkDeviations::max_deviation_mm, "max_deviation_mm", "-", "mm", any(),
               "largest cusp; null: infinite, material stays")
@@ -405,7 +411,7 @@ void describe(Catalogue& catalogue) {
       .function<&rk_equalised_cutter>("rk_equalised_cutter", "A number of teeth with exactly equal cusps.",
                                       "completion", Provenance::completion)
       .with(cutter)
-      .input(&RkUniformCutter::teeth, "teeth", "Z_f", "1", closed(1, 2000), "number of teeth", 20)
+      .input(&RkUniformCutter::teeth, "teeth", "Z_f", "1", closed(1, 500), "number of teeth", 20)
       .with(first_tooth_uniform)
       .output(&RkEqualisedCutter::equal_deviation_mm, "equal_deviation_mm", "-", "mm", non_negative(),
               "common cusp")

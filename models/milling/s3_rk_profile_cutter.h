@@ -107,7 +107,7 @@ struct RkEqualisedCutter {
   double equal_deviation_mm;
   std::vector<double> tooth_angles_deg;
 };
-/// The common cusp of `teeth` teeth (1 to 2000) spaced so that all cusps are equal all the way round.
+/// The common cusp of `teeth` teeth (1 to 500) spaced so that all cusps are equal all the way round.
 /// Error when so few teeth cannot close the turn. COMPLETION.
 [[nodiscard]] RkEqualisedCutter rk_equalised_cutter(const RkUniformCutter& in);
 

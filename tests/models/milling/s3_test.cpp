@@ -136,7 +136,7 @@ TEST_CASE("S3: the largest cusp is the largest distance from the profile to all 
     const auto answer = rk_form_error_uniform(uniform(c, teeth, first_deg)).max_deviation_mm;
     RC_PRE(answer.has_value());
     // Union of all tooth tracks over one lobe, as the farthest reach per polar angle cell.
-    constexpr int cells = 6000;
+    constexpr int cells = 2000;
     const double lobe = 2 * std::numbers::pi / n;
     std::vector<double> reach(cells, 0.0);
     const double a_mm = c.mean_radius_mm - c.cutter_radius_mm;
@@ -152,7 +152,7 @@ TEST_CASE("S3: the largest cusp is the largest distance from the profile to all 
       }
       const double rho_mm = rk_cutter_point(at).tooth_radius_mm;
       // Every crossing of the track with the ray of a cell, between neighbouring samples.
-      constexpr int samples = 20'000;
+      constexpr int samples = 8'000;
       double polar_before = 0, r_before = 0;
       for (int i = 0; i <= samples; ++i) {
         const double g = 2 * std::numbers::pi * i / samples;
@@ -182,7 +182,7 @@ TEST_CASE("S3: the largest cusp is the largest distance from the profile to all 
       static_cast<RkHole&>(hole) = c;
       double low = polar - 1.2, high = polar + 1.2;
       RkProfilePoint p{};
-      for (int j = 0; j < 55; ++j) {
+      for (int j = 0; j < 32; ++j) {
         hole.normal_angle_deg = 0.5 * (low + high) / rad;
         p = rk_profile_point(hole);
         const double off = std::remainder(std::atan2(p.y_mm, p.x_mm) - polar, 2 * std::numbers::pi);
@@ -193,7 +193,7 @@ TEST_CASE("S3: the largest cusp is the largest distance from the profile to all 
     }
     // The peak of a cusp falls between two cells.
     RC_ASSERT(worst_mm < *answer + 1e-4);
-    RC_ASSERT(worst_mm > 0.98 * *answer - 1e-4);
+    RC_ASSERT(worst_mm > 0.96 * *answer - 1e-4);
   }));
 }
 
