@@ -15,7 +15,7 @@ using std::numbers::pi;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 constexpr double angle_tol = 1e-14;
-constexpr double scan_step = 0.25 * pi / 180;  // of the paper's algorithm above the undercut limit
+constexpr double scan_step = 0.25 * pi / 180;  // of the paper's algorithm, beyond the limits
 
 }  // namespace
 
@@ -32,17 +32,25 @@ double RkGeneration::max_cutter_radius_mm(const RkHole& hole) {
   return 0.5 * (p_mm + std::sqrt((p_mm - 2 * m_mm) * (p_mm + 2 * m_mm)));
 }
 
+double RkGeneration::min_cutter_radius_mm(const RkHole& hole) {
+  return hole.eccentricity_mm +
+         (hole.mean_radius_mm - hole.eccentricity_mm) / static_cast<double>(hole.lobes);
+}
+
 RkGeneration::RkGeneration(const RkCutter& in)
     : r_mm_(in.mean_radius_mm),
       e_mm_(in.eccentricity_mm),
       n_(static_cast<double>(in.lobes)),
-      a_mm_(in.mean_radius_mm - in.cutter_radius_mm) {
+      a_mm_(in.mean_radius_mm - in.cutter_radius_mm),
+      grows_(true) {
   require_convex(in);
   require(in.cutter_radius_mm < r_mm_, "cutter_radius_mm", in.cutter_radius_mm,
           "must be below mean_radius_mm");
   require(a_mm_ > (n_ - 1) * e_mm_, "cutter_radius_mm", in.cutter_radius_mm,
           "must be below mean_radius_mm - (lobes - 1) eccentricity_mm: the normals miss the pitch circle");
-  if (in.cutter_radius_mm <= max_cutter_radius_mm(in)) return;
+  const double max_mm = max_cutter_radius_mm(in);
+  grows_ = in.cutter_radius_mm <= max_mm && in.cutter_radius_mm >= min_cutter_radius_mm(in);
+  if (in.cutter_radius_mm <= max_mm) return;
   constexpr int cells = 128;
   const auto slope = [&](double t) { return tooth_angle_slope(t); };
   for (int k = 0; k < cells; ++k) {
@@ -212,10 +220,10 @@ Cusp RkGeneration::cusp(const Tooth& first, const Tooth& second) const {
 }
 
 double RkGeneration::pitch_reaching(const Tooth& from, double tolerance_mm, double guess) const {
-  return turn_backs_.empty() ? pitch_by_growth(from, tolerance_mm, guess) : pitch_by_scan(from, tolerance_mm);
+  return grows_ ? pitch_by_growth(from, tolerance_mm, guess) : pitch_by_scan(from, tolerance_mm);
 }
 
-// Below the undercut limit the cusp grows with the pitch: the only crossing of the tolerance is the first.
+// Between the limits of the cutter radius the only crossing of the tolerance is the first.
 double RkGeneration::pitch_by_growth(const Tooth& from, double tolerance_mm, double guess) const {
   const auto excess = [&](double pitch) {
     const double height_mm = cusp(from, tooth(from.theta + pitch)).height_mm;

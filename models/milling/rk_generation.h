@@ -54,6 +54,8 @@ class RkGeneration {
 
   /// Undercut limit of the cutter radius.
   [[nodiscard]] static double max_cutter_radius_mm(const RkHole& hole);
+  /// Below it the track of the tooth at the flat loops.
+  [[nodiscard]] static double min_cutter_radius_mm(const RkHole& hole);
 
  private:
   [[nodiscard]] double tooth_angle_slope(double t) const;
@@ -68,6 +70,7 @@ class RkGeneration {
   double e_mm_;
   double n_;
   double a_mm_;                     // centre distance
+  bool grows_;                      // cutter between its limits: the cusp grows with the pitch
   std::vector<double> turn_backs_;  // t in (0, pi/N) where the tooth angle reverses; none below undercut
 };
 

@@ -133,7 +133,11 @@ double ProfileSide::arc_length(double from_mm, double to_mm) const {
 std::optional<double> ProfileSide::nearest_with_slope(double slope, double z_mm) const {
   std::optional<double> nearest;
   const auto offer = [&](double z) {
-    if (covers(z) && (!nearest || std::abs(z - z_mm) < std::abs(*nearest - z_mm))) nearest = z;
+    // A point computed for an end of the range may miss it by rounding.
+    const double inside = std::clamp(z, z_min_, z_max_);
+    if (std::abs(z - inside) > 1e-12 * (1 + std::abs(z))) return;
+    z = inside;
+    if (!nearest || std::abs(z - z_mm) < std::abs(*nearest - z_mm)) nearest = z;
   };
   if (arc_) {
     offer(zc_ - r_ * slope / std::hypot(1.0, slope));

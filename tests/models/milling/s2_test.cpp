@@ -222,6 +222,15 @@ TEST_CASE("S2: of several points with the edge's slope the nearest to the contac
   CHECK(rolling_transfer({worked, 4.9, 1, ArcMode::exact}).z1_mm == Approx(4));
 }
 
+TEST_CASE("S2: a range that ends at the contact with the edge's slope holds it", "[S2]") {
+  const double z1 = rolling_transfer({{example_poly, 70}, 8, 1, ArcMode::exact}).z1_mm;
+  Profile cut = example_poly;
+  cut.z_min = z1;
+  CHECK(rolling_transfer({{cut, 70}, 8, 1, ArcMode::exact}).z1_mm == Approx(z1));
+  const double z_arc = 12 - 30 * std::sin(70 * rad);
+  CHECK(rolling_transfer({{arc(12, 20, 30, z_arc, 41), 40}, 0, 1, ArcMode::exact}).z1_mm == Approx(z_arc));
+}
+
 TEST_CASE("S2: facets and their inverse, time limits, wear spread", "[S2]") {
   CHECK(rc::check([] {
     const double r = *rc::gen::inRange(1, 200), e = *rc::gen::inRange(1, 500) * 1e-4;

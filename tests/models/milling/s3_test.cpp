@@ -298,6 +298,9 @@ TEST_CASE("S3: bad input names itself", "[S3]") {
                     Catch::Contains("eccentricity_mm = 6, must be below"));
   CHECK_THROWS_WITH(rk_cusp(pair(cutter(34), 10, 20)), Catch::Contains("the normals miss the pitch circle"));
   CHECK_THROWS_WITH(rk_equalised_cutter(uniform(cutter(18), 2)), Catch::Contains("too few"));
+  // Below the smallest radius the teeth near the flat cut nothing.
+  CHECK_THROWS_WITH(rk_tooth_positions(tolerance(cutter(13), 0.2)),
+                    Catch::Contains("below its smallest value"));
   CHECK_THROWS_WITH(rk_min_teeth({tolerance(cutter(24), 1e-9), Spacing::uniform}),
                     Catch::Contains("more than 2000 teeth"));
 }
