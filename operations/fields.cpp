@@ -1,5 +1,7 @@
 #include "operations/fields.h"
 
+#include <fmt/format.h>
+
 namespace verstat::models {
 
 using namespace operations;
@@ -92,11 +94,13 @@ double mean_min(const Duration& duration) {
 
 void check_duration(const Duration& duration, const std::string& name) {
   if (const auto* u = std::get_if<UniformDuration>(&duration))
-    models::require(u->low_min <= u->high_min, name + "/low_min", u->low_min, "must not be above high_min");
+    models::require(u->low_min <= u->high_min, name + "/low_min", u->low_min,
+                    fmt::format("must not be above high_min = {}", u->high_min));
   if (const auto* t = std::get_if<TriangularDuration>(&duration)) {
-    models::require(t->low_min <= t->mode_min, name + "/low_min", t->low_min, "must not be above mode_min");
+    models::require(t->low_min <= t->mode_min, name + "/low_min", t->low_min,
+                    fmt::format("must not be above mode_min = {}", t->mode_min));
     models::require(t->mode_min <= t->high_min, name + "/mode_min", t->mode_min,
-                    "must not be above high_min");
+                    fmt::format("must not be above high_min = {}", t->high_min));
   }
 }
 

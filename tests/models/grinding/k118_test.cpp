@@ -87,7 +87,7 @@ TEST_CASE("K118: intermediate values of the printed chain", "[K118]") {
 }
 
 TEST_CASE("K118: force and grains are linear in the width, pitch and chip do not know it", "[K118]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const ElasticWithoutDepth one = any_regime();
     ElasticWithoutDepth two = one;
     two.width_mm *= 2;
@@ -106,7 +106,7 @@ TEST_CASE("K118: force and grains are linear in the width, pitch and chip do not
 
 TEST_CASE("K118: pitch, width and count are tied unless the tip caps the cut; the chip stays in the depth",
           "[K118]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const ElasticWithoutDepth in = any_regime();
     const double depth_um = part(1, 60);
     const ContactGeometry g = grinding_contact_geometry({in, {depth_um}});
@@ -139,7 +139,7 @@ TEST_CASE("K118: the tip width is continuous where the round tip ends", "[K118]"
 }
 
 TEST_CASE("K118: clamp force falls with temperature to zero and grows with depth and time", "[K118]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     ForceInputs in = r6m5();
     in.depth_um = part(1, 50);
     in.temperature_c = part(0, 2000);
@@ -163,7 +163,7 @@ TEST_CASE("K118: clamp force falls with temperature to zero and grows with depth
 }
 
 TEST_CASE("K118: the force limit inverts the temperature rise", "[K118]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     RiseInputs in;
     in.contact_length_mm = part(1, 5);
     in.work_speed_m_min = part(1, 30);
@@ -176,7 +176,7 @@ TEST_CASE("K118: the force limit inverts the temperature rise", "[K118]") {
 }
 
 TEST_CASE("K118: temperature and force of the state grow with depth and obey both equations", "[K118]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const ElasticWithoutDepth in = any_regime();
     const double depth_um = part(1, 59);
     const ElasticState s = elastic_grinding_state(at_depth(in, depth_um));
@@ -207,7 +207,7 @@ TEST_CASE("K118: temperature and force of the state grow with depth and obey bot
 }
 
 TEST_CASE("K118: depth from clamp force inverts the state", "[K118]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const ElasticWithoutDepth in = any_regime();
     const double depth_um = part(1, 60);
     const ElasticState s = elastic_grinding_state(at_depth(in, depth_um));

@@ -34,7 +34,7 @@ RemovalRegime regime(double phi_max_deg, Stock scheme) {
 }  // namespace
 
 TEST_CASE("K203: the normal is perpendicular to the groove and points away from the axis", "[K203]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double sign = *rc::gen::element(-1.0, 1.0);
     const Groove g{part(10, 40), sign * part(1, 6), part(4, 30)};
     const double theta = part(-180, 180);
@@ -119,7 +119,7 @@ TEST_CASE("K203: the ground groove is the envelope of the wheel", "[K203]") {
 }
 
 TEST_CASE("K203: a wheel dressed for the final settings makes the groove exactly there", "[K203]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const Groove g{part(15, 30), -part(2, 4), part(5, 15)};
     const double bottom = g.center_radius_mm + g.profile_radius_mm;
     const double distance = bottom + part(100, 200);
@@ -156,7 +156,7 @@ TEST_CASE("K203: the effective radius is that of a short arc", "[K203]") {
 }
 
 TEST_CASE("K203: the tilt for a radius inverts the effective radius", "[K203]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const bool internal = *rc::gen::arbitrary<bool>();
     const double bottom = part(20, 40);
     const CrossedWheel wheel{part(2, 4), internal ? part(0.4, 0.7) * bottom : part(80, 200), bottom,
@@ -180,7 +180,7 @@ TEST_CASE("K203: the schedule ends at the final groove and steps evenly", "[K203
 }
 
 TEST_CASE("K203: the volume lies between the section swept at its smallest and largest radius", "[K203]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double sign = *rc::gen::element(-1.0, 1.0);
     const double rho = part(2, 5);
     const double stock = part(0.01, 0.5);
@@ -234,7 +234,7 @@ TEST_CASE("K203: removal rate of a dense, sharp wheel has closed forms", "[K203]
 }
 
 TEST_CASE("K203: removal rate falls with retreat and wear, rises with speed, infeed and coverage", "[K203]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const RemovalRegime r{part(50, 200), part(2, 5),   part(0, 0.1),
                           part(10, 80),  part(0.5, 5), part(0.005, 0.05),
                           part(0, 0.3),  part(0.1, 5), *rc::gen::element(Stock::shifted, Stock::concentric)};
@@ -256,7 +256,7 @@ TEST_CASE("K203: removal rate falls with retreat and wear, rises with speed, inf
 
 TEST_CASE("K203: dressing depth", "[K203]") {
   CHECK(dressing_depth({100, 0.05, 0}).depth_mm == Approx(3.162).margin(5e-4));
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double rho = part(1, 100);
     const double wear = part(0.001, 0.9) * rho;
     RC_ASSERT(std::abs(dressing_depth({rho, wear, 90}).depth_mm / wear - 1) < 1e-12);

@@ -41,7 +41,7 @@ double largest_stable_gain(std::int64_t delay) {
 }  // namespace
 
 TEST_CASE("K207: feed and pass time are inverse", "[K207]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double length = part(10, 1000);
     const double time = part(0.5, 60);
     const double feed = longitudinal_feed({length, time}).feed_m_min;
@@ -80,7 +80,7 @@ TEST_CASE("K207: entropy interval is exp(H)/2 of its law, linear in sigma", "[K2
 }
 
 TEST_CASE("K207: the drive polynomial is the loop of four lags behind the motor", "[K207]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const DriveLags in{part(0.01, 1), part(0.01, 1), part(0.01, 1), part(0.01, 1), part(0.01, 1)};
     const DrivePolynomial d = drive_polynomial(in);
     const double p = part(0.1, 10);
@@ -92,7 +92,7 @@ TEST_CASE("K207: the drive polynomial is the loop of four lags behind the motor"
 }
 
 TEST_CASE("K207: the blocks are their transfer functions on the imaginary axis", "[K207]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     BlockAtFrequency in;
     in.freq_hz = part(0.01, 40);
     in.k = part(-3, 3.001);
@@ -114,7 +114,7 @@ TEST_CASE("K207: the blocks are their transfer functions on the imaginary axis",
 }
 
 TEST_CASE("K207: D is the start of the long division B F / A only as repaired", "[K207]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const PlantModel plant{{part(0.2, 2), part(-2, -0.2), part(0.1, 1)},
                            {part(-1, 1), part(-1, 1), part(-1, 1), part(-1, 1)},
                            0.3,
@@ -147,7 +147,7 @@ TEST_CASE("K207: controller (14) integrates and delays", "[K207]") {
   CHECK(g.k_d == Approx(-2.20053).margin(5e-6));
   CHECK(g.zero_1 == Approx(-19.05).margin(5e-3));
   CHECK(g.zero_2 == Approx(0.90919).margin(5e-6));
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     RegulatorInputs in;
     in.u_prev = part(-2, 2);
     in.e0 = part(-2, 2);
@@ -180,7 +180,7 @@ TEST_CASE("K207: stability limits, and responses that agree with the roots", "[K
   CHECK(largest_stable_gain(4) == Approx(1.522).margin(6e-4));
   CHECK(feed_loop_spectral_radius(loop(1, 0.715, 2, 1)).rho > 1);
   CHECK(feed_loop_spectral_radius(loop(1, 0.719, 2, 1)).rho < 1);
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const StepInputs in = loop(part(0.3, 2), part(0.75, 0.97), *rc::gen::inRange(1, 4), 600);
     const double rho = feed_loop_spectral_radius(in).rho;
     RC_PRE(rho < 0.97);

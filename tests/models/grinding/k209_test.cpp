@@ -61,7 +61,7 @@ TEST_CASE("K209: waviness of the paper's regime", "[K209]") {
 TEST_CASE("K209: waviness is continuous, grows, and is bounded by 2A and the cusp", "[K209]") {
   const double critical = waviness(1).critical_amplitude_um;
   CHECK(waviness(critical * (1 + 1e-9)).height_um == Approx(2 * critical).epsilon(1e-8));
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double amplitude = std::exp(part(-3, 25));
     const Waviness w = waviness(amplitude);
     RC_ASSERT(waviness(amplitude * 1.01).height_um >= w.height_um * (1 - 1e-13));
@@ -73,7 +73,7 @@ TEST_CASE("K209: waviness is continuous, grows, and is bounded by 2A and the cus
 }
 
 TEST_CASE("K209: waviness is the envelope of the wheel, by brute force", "[K209]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double amplitude_mm = part(0.1, 10) * 1e-3;
     const double diameter = part(100, 500);
     const WavinessInputs in{amplitude_mm * 1000, part(1000, 4000), *rc::gen::inRange(1, 4), part(2, 20),
@@ -98,7 +98,7 @@ TEST_CASE("K209: depth swing, unbalance and displacement", "[K209]") {
   CHECK(depth_modulation({0.9, 0.015}).ratio == Approx(0.06));
   CHECK(depth_modulation({2.36, 0.015}).ratio == Approx(0.16).margin(5e-3));
   CHECK(unbalance_force({1.8, 100, 2230}).force_n == Approx(9.8).margin(0.05));
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double t = part(0, 1);
     const OscillationInputs in{t, 2230, {1, 3}, {2.36, 0.51}, {10, 20}};
     OscillationInputs turn_later = in;

@@ -68,7 +68,7 @@ TEST_CASE("K302: the table of typical magnitudes", "[K302]") {
 }
 
 TEST_CASE("K302: the mean line halves the removal probability, and the density is its slope", "[K302]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double shift_um = *rc::gen::inRange(0, 300) * 0.01;
     const MarkField f = field(shift_um, *rc::gen::inRange(1, 2000), *rc::gen::inRange(0, 10));
     const double w_m = median_depth(f).median_depth_um;
@@ -85,7 +85,7 @@ TEST_CASE("K302: the mean line halves the removal probability, and the density i
 }
 
 TEST_CASE("K302: a single contact has closed forms", "[K302]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double nu = *rc::gen::inRange(11, 60) * 0.1;
     const MarkField f{1e6, nu, 0.7, 1, 0};
     const double w_mm = std::pow(std::numbers::ln2 / 1e6, 1 / nu);
@@ -104,7 +104,7 @@ TEST_CASE("K302: many contacts with a small shift", "[K302]") {
 
 TEST_CASE("K302: Ra falls with finer shift, slower work, spark-out, more grains, larger and faster wheels",
           "[K302]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double shift_um = *rc::gen::inRange(5, 300) * 0.01;
     const double ra = ra_at_median(field(shift_um, 1000));
     RC_ASSERT(ra_at_median(field(shift_um * 0.9, 1000)) <= ra);
@@ -171,7 +171,7 @@ TEST_CASE("K302: the exact moments equal 20000 midpoints, where nu is small too"
 }
 
 TEST_CASE("K302: H > Rmax > Rz, closer over a longer base", "[K302]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double chi = *rc::gen::inRange(5, 40) * 0.1;
     const double length_mm = *rc::gen::inRange(1, 100) * 0.1;
     const ExtremeRoughness shorter = roughness_extremes({6, 1e7, chi, length_mm});
@@ -199,7 +199,7 @@ TEST_CASE("K302: equal dissolution leaves Ra alone, full dissolution levels it",
 }
 
 TEST_CASE("K302: the defect layer falls by the removal and stays at what each pass brings", "[K302]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double removed = *rc::gen::inRange(1, 30);
     const double introduced = *rc::gen::inRange(0, 20);
     const double initial = *rc::gen::inRange(0, 100);

@@ -72,7 +72,7 @@ TEST_CASE("K303: Rmax rises by one interval per point to its maximum, then falls
 TEST_CASE(
     "K303: Rmax grows with work speed, depth and spacing, falls with wheel speed, never exceeds the depth",
     "[K303]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double speed = *rc::gen::inRange(5, 300) * 0.1;
     const double depth = *rc::gen::inRange(1, 400) * 1e-4;
     const CuttingRegime r = regime(speed, depth);
@@ -105,7 +105,7 @@ TEST_CASE("K303: the height left at the end does not depend on the depth", "[K30
 }
 
 TEST_CASE("K303: the groove is continuous in value and slope where the round tip ends", "[K303]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double radius = *rc::gen::inRange(1, 300) * 0.1;
     const double angle = *rc::gen::inRange(20, 170);
     const double seam = radius * (1 - std::sin(angle * std::numbers::pi / 360));
@@ -158,7 +158,7 @@ TEST_CASE("K303: a finer interval raises Rmax by 1 to 3 per cent", "[K303]") {
 }
 
 TEST_CASE("K303: the largest speed and depth are safe, the next ones are not", "[K303]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double protrusion = *rc::gen::inRange(20, 150) * 0.1;
     const CuttingRegime base = regime(6, 0.012);
     const double speed =

@@ -10,7 +10,7 @@
 using verstat::models::arithmetic_power_sum;
 
 TEST_CASE("power sum: equals the plain sum for any exponent and length", "[math]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double u = *rc::gen::inRange(1, 100000) * 1e-4;
     const double step = *rc::gen::inRange(0, 3000) * 1e-3;
     const int terms = *rc::gen::inRange(0, 3000);

@@ -12,7 +12,7 @@
 using namespace verstat::models;
 
 TEST_CASE("circle fit: points of an arc give its centre and radius", "[math]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double x = *rc::gen::inRange(-100, 100);
     const double y = *rc::gen::inRange(-100, 100);
     const double radius = *rc::gen::inRange(1, 100);

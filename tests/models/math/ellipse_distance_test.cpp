@@ -13,7 +13,7 @@
 using verstat::models::ellipse_distance;
 
 TEST_CASE("ellipse distance: brute force over the whole ellipse", "[math]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double major = *rc::gen::inRange(1, 1000) * 0.1;
     const double minor = major * *rc::gen::inRange(0, 101) * 0.01;
     const double x = *rc::gen::inRange(-1500, 1500) * 0.1;

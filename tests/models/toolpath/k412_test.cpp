@@ -66,7 +66,7 @@ TEST_CASE("K412: the table of the profile", "[K412]") {
 }
 
 TEST_CASE("K412: the roll touches its pipe in every section", "[K412]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     ProfileSampling s;
     s.throat_diameter_mm = part(80, 400);
     s.pipe_diameter_mm = part(10, 200);
@@ -81,7 +81,7 @@ TEST_CASE("K412: the roll touches its pipe in every section", "[K412]") {
 }
 
 TEST_CASE("K412: the profile grows from the throat, is symmetric, and phi is its inverse", "[K412]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const RollAndPipe roll{part(80, 400), part(10, 200), part(5, 89)};
     const double phi = part(10, 89);
     const ProfilePoint here = roll_profile_point({roll, phi});
@@ -113,7 +113,7 @@ TEST_CASE("K412: limits of a thin pipe and of a right angle, and the curvature a
 }
 
 TEST_CASE("K412: the gap is the distance of the pipe surface, by brute force", "[K412]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double y = part(-150, 150);
     const double radius = part(50, 200);
     const double alpha = part(5, 90);
@@ -150,7 +150,7 @@ TEST_CASE("K412: the existing roll on other pipes", "[K412]") {
 }
 
 TEST_CASE("K412: the fillet is tangent to the last chord and to the face", "[K412]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const ProfileEnd end{part(50, 200), part(100, 150), part(30, 49), part(50, 100), part(1, 20)};
     const EndFillet f = roll_end_fillet(end);
     const double along = (f.y_c_mm - end.y_k_mm) * (end.y_k_mm - end.y_k1_mm) +
@@ -185,7 +185,7 @@ TEST_CASE("K412: surface speed without cap, with a low cap, and across it", "[K4
                 std::hypot(roll.y_mm[k] - roll.y_mm[k - 1], roll.x_radius_mm[k] - roll.x_radius_mm[k - 1]);
   CHECK(minutes(1e9) == Approx(std::numbers::pi * integral / (1000 * 140 * 0.2)).epsilon(1e-12));
   CHECK(minutes(1e-3) == Approx(path_length(roll).length_mm / (0.2 * 1e-3)).epsilon(1e-12));
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     // A cone across the cap: sum of many short pieces.
     const double max_rpm = part(100, 1000);
     const Contour cone{{0, 60}, {part(0, 40), part(41, 90)}};
@@ -227,7 +227,7 @@ TEST_CASE("K412: the worked example of roughing, finishing, facing and grinding"
 }
 
 TEST_CASE("K412: bookkeeping of the roughing plan", "[K412]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     RoughTurning in = example_roughing();
     in.blank_diameter_mm = part(240, 400);
     in.max_depth_mm = part(0.5, 6);
@@ -265,7 +265,7 @@ TEST_CASE("K412: dressing radius depends on the spacing, the wheel criterion doe
   CHECK(at_spacing(0.02, DressingVariant::tangent).radius_mm == Approx(0.18).margin(0.01));
   CHECK(at_spacing(10, DressingVariant::printed).radius_mm == Approx(39e3).epsilon(0.02));
   CHECK(at_spacing(20, DressingVariant::printed).radius_mm == 1e9);
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double spacing = part(1, 20);
     const double stock = part(0.05, 1);
     Contour straight;
@@ -281,7 +281,7 @@ TEST_CASE("K412: dressing radius depends on the spacing, the wheel criterion doe
 }
 
 TEST_CASE("K412: the wheel of the dressing criterion touches over its width", "[K412]") {
-  verstat::tests::check_property([] {
+  verstat::test::property([] {
     const double width = part(10, 100);
     const double allowance = part(0.05, 0.5);
     const double profile = part(100, 1000);
