@@ -60,6 +60,9 @@ class EventList {
   /// Number of pending events.
   [[nodiscard]] std::size_t size() const noexcept { return ring_size_ - ring_dead_ + size_ - dead_.size(); }
 
+  /// Entries in memory, with those that are cancelled but not yet removed.
+  [[nodiscard]] std::size_t stored() const noexcept { return ring_size_ + size_; }
+
   /// Time of the next event; infinity when there is none. `now` as in pop.
   [[nodiscard]] double next_time(double now) const noexcept {
     return ring_size_ != 0 ? now : heap_.front().time;
