@@ -178,9 +178,7 @@ class Store {
     return true;
   }
   bool try_put(T&& item) { return try_put(item); }
-  bool try_put(const T& item)
-    requires std::copy_constructible<T>
-  {
+  bool try_put(const T& item) requires std::copy_constructible<T> {
     if (!has_room()) return false;
     accept(T(item));
     return true;
