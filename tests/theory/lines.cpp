@@ -80,7 +80,7 @@ TEST_CASE("open tandem network (Jackson)", "[theory]") {
     sim.spawn("source", feed(sim, *queues[0], lambda, stream("source", 0, r, sampling)));
     sim.run_until(2000.0);
     for (auto& queue : queues) queue->statistics()->reset(2000.0);
-    sim.run_until(1.5e5);
+    sim.run_until(3.5e5);
     std::vector<double> out;
     for (auto& queue : queues) out.push_back(queue->statistics()->level.mean(sim.now()));
     return out;
@@ -181,7 +181,7 @@ TEST_CASE("machine repair, M/M/c/K/K", "[theory]") {
     repairs = 0.0;
     broken.reset(500.0);
     repairers.statistics()->reset(500.0);
-    const double end = 4e4;
+    const double end = 1.3e5;
     sim.run_until(end);
     return std::vector<double>{repairs / (end - 500.0), broken.mean(end),
                                repairers.statistics()->length.mean(end)};
