@@ -60,14 +60,14 @@ class EventList {
 
   /// Removes and returns the first event; the list must not be empty. `now` is the present time, at which
   /// the events of push_now stand.
-  Entry pop(double now) {
+  [[gnu::always_inline]] Entry pop(double now) {
     const bool from_run = key_of(run_.front()) < key_of(heap_.front());
     if (!instant_.empty()) {
       const Entry& first = from_run ? run_.front() : heap_.front();
       if (first.time > now || instant_.front_id() < first.id) return instant_.pop(now);
     }
     const Entry entry = from_run ? run_.pop() : heap_.pop();
-    if (!dead_.empty() || (heap_.empty() && run_.empty())) settle();
+    if (!dead_.empty() || (far_.size() != 0 && heap_.empty() && run_.empty())) settle();
     return entry;
   }
 
