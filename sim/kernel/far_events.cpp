@@ -13,15 +13,48 @@ constexpr std::size_t few = 64;        // so few are not worth a year
 
 }  // namespace
 
+inline void FarEvents::prefetch_entries(std::size_t bucket) const noexcept {
+  if (bucket >= buckets_.size() || buckets_[bucket].chunk == none) return;
+  const auto* bytes = reinterpret_cast<const char*>(&chunks_[buckets_[bucket].chunk]);
+  const std::size_t used = buckets_[bucket].count * sizeof(Entry);
+  for (std::size_t byte = 0; byte < used; byte += 64) __builtin_prefetch(bytes + byte);
+}
+
+inline void FarEvents::prefetch_targets(std::size_t bucket) const noexcept {
+  if (bucket >= buckets_.size() || buckets_[bucket].chunk == none) return;
+  const Chunk& chunk = chunks_[buckets_[bucket].chunk];
+  for (std::uint32_t i = 0; i < buckets_[bucket].count; ++i) {
+    const auto* bytes = reinterpret_cast<const char*>(chunk.entries[i].payload);
+    __builtin_prefetch(bytes, 1);
+    __builtin_prefetch(bytes + 64, 1);
+    __builtin_prefetch(bytes + 128, 1);
+  }
+}
+
 void FarEvents::spread(std::span<const Entry> entries) {
   later_.insert(later_.end(), entries.begin(), entries.end());
   size_ += entries.size();
   start_year();
 }
 
+void FarEvents::write_staged() {
+  const std::size_t n = std::min(staged_count_, staged_.size());
+  for (std::size_t i = staged_count_ - n; i < staged_count_; ++i) {
+    const Staged& slot = staged_[i % staged_.size()];
+    append(buckets_[slot.bucket], slot.entry);
+  }
+  staged_count_ = 0;
+}
+
+std::size_t FarEvents::next_used(std::size_t bucket) const noexcept {
+  while (bucket < buckets_.size() && buckets_[bucket].chunk == none) ++bucket;
+  return bucket;
+}
+
 void FarEvents::next_bucket(std::vector<Entry>& out) {
   // The year was laid out for far fewer events: lay out a new one.
   if (size_ > 4 * planned_ + 1024) {
+    write_staged();
     for (; present_ < buckets_.size(); ++present_) {
       collect(buckets_[present_], later_);
     }
@@ -33,7 +66,14 @@ void FarEvents::next_bucket(std::vector<Entry>& out) {
       return;
     }
   }
-  while (buckets_[present_].chunk == none) ++present_;
+  std::size_t next = next_used(present_);
+  for (std::size_t i = staged_count_ - std::min(staged_count_, staged_.size()); i < staged_count_; ++i) {
+    if (staged_[i % staged_.size()].bucket <= next) {
+      write_staged();
+      next = next_used(present_);
+    }
+  }
+  present_ = next;
   prefetch_targets(present_ + 1);
   prefetch_entries(present_ + 3);
   size_ -= collect(buckets_[present_], out);
@@ -74,12 +114,13 @@ bool FarEvents::start_year() {
   for (const Entry& entry : later_) {
     const double at = position(entry.time);
     if (at < year_end_) {
-      append(buckets_[static_cast<std::size_t>(at)], entry);
+      stage(static_cast<std::uint32_t>(at), entry);
     } else {
       later_[kept++] = entry;
     }
   }
   later_.resize(kept);
+  write_staged();
   return true;
 }
 
@@ -105,24 +146,6 @@ void FarEvents::add_chunk(Bucket& bucket) {
   }
   chunks_[fresh].next = bucket.chunk;
   bucket = Bucket(fresh, 0);
-}
-
-void FarEvents::prefetch_entries(std::size_t bucket) const noexcept {
-  if (bucket >= buckets_.size() || buckets_[bucket].chunk == none) return;
-  const auto* bytes = reinterpret_cast<const char*>(&chunks_[buckets_[bucket].chunk]);
-  const std::size_t used = buckets_[bucket].count * sizeof(Entry);
-  for (std::size_t byte = 0; byte < used; byte += 64) __builtin_prefetch(bytes + byte);
-}
-
-void FarEvents::prefetch_targets(std::size_t bucket) const noexcept {
-  if (bucket >= buckets_.size() || buckets_[bucket].chunk == none) return;
-  const Chunk& chunk = chunks_[buckets_[bucket].chunk];
-  for (std::uint32_t i = 0; i < buckets_[bucket].count; ++i) {
-    const auto* bytes = reinterpret_cast<const char*>(chunk.entries[i].payload);
-    __builtin_prefetch(bytes, 1);
-    __builtin_prefetch(bytes + 64, 1);
-    __builtin_prefetch(bytes + 128, 1);
-  }
 }
 
 }  // namespace verstat::sim::detail

@@ -1,6 +1,7 @@
 #pragma once
 // Events that are not due soon, sorted only roughly: what keeps a million pending events cheap.
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <limits>
@@ -33,7 +34,7 @@ class FarEvents {
     const double at = position(entry.time);
     ++size_;
     if (at < year_end_) {
-      append(buckets_[static_cast<std::size_t>(at)], entry);
+      stage(static_cast<std::uint32_t>(at), entry);
     } else {
       later_.push_back(entry);
     }
@@ -54,8 +55,8 @@ class FarEvents {
   static constexpr std::uint32_t none = ~std::uint32_t{0};
   static constexpr std::uint32_t chunk_entries = 10;
   struct alignas(64) Chunk {  // four cache lines
-    Entry entries[chunk_entries];
     std::uint32_t next;
+    Entry entries[chunk_entries];
   };
   static_assert(sizeof(Chunk) == 256);
   // The count stands here and not in the chunk: adding an event touches one line of the chunk only.
@@ -66,19 +67,37 @@ class FarEvents {
     std::uint32_t count = chunk_entries;  // entries in it
   };
 
+  struct Staged {
+    std::uint32_t bucket;
+    Entry entry;
+  };
+
   [[nodiscard]] double position(double time) const noexcept { return (time - start_) * per_time_; }
   void append(Bucket& bucket, const Entry& entry) {
     if (bucket.count == chunk_entries) add_chunk(bucket);
     chunks_[bucket.chunk].entries[bucket.count++] = entry;
   }
   void add_chunk(Bucket& bucket);
+  // A bucket is memory that was not touched for long. A write to it would hold up all later writes until the
+  // line has arrived: so the line is called for now, and the entry written some events later.
+  void stage(std::uint32_t bucket, const Entry& entry) {
+    const Bucket& target = buckets_[bucket];
+    if (target.count != chunk_entries) __builtin_prefetch(&chunks_[target.chunk].entries[target.count], 1);
+    Staged& slot = staged_[staged_count_++ % staged_.size()];
+    if (staged_count_ > staged_.size()) append(buckets_[slot.bucket], slot.entry);
+    slot = Staged{bucket, entry};
+  }
+  void write_staged();
+  // The first bucket from `bucket` on that has events in memory; buckets_.size() when there is none.
+  [[nodiscard]] std::size_t next_used(std::size_t bucket) const noexcept;
   // Lays out a year for `later_`; false when that is impossible (all at one time).
   bool start_year();
   template <class Bag>
   std::size_t collect(Bucket& bucket, Bag& out);
   void hand_out_all(std::vector<Entry>& out);
-  void prefetch_entries(std::size_t bucket) const noexcept;
-  void prefetch_targets(std::size_t bucket) const noexcept;
+  // Inlined by force: g++ 12 takes a function that only prefetches for one without effect and drops the call.
+  [[gnu::always_inline]] void prefetch_entries(std::size_t bucket) const noexcept;
+  [[gnu::always_inline]] void prefetch_targets(std::size_t bucket) const noexcept;
 
   // Without far events everything is near: position 0 < infinity.
   double start_ = 0.0;
@@ -92,6 +111,8 @@ class FarEvents {
   std::vector<Chunk, LargeAllocator<Chunk>> chunks_;
   std::uint32_t free_chunk_ = none;
   std::vector<Entry, LargeAllocator<Entry>> later_;
+  std::array<Staged, 16> staged_;  // a ring, the newest behind
+  std::size_t staged_count_ = 0;   // ever staged since the last write_staged
 };
 
 template <class Bag>
@@ -110,6 +131,7 @@ std::size_t FarEvents::collect(Bucket& bucket, Bag& out) {
 
 template <class Gone>
 void FarEvents::remove_if(Gone gone) {
+  write_staged();
   size_ = 0;
   std::vector<Entry> bag;
   for (Bucket& bucket : buckets_) {
