@@ -121,6 +121,7 @@ int run_program(int argc, char** argv) {
   add_validate(program);
   add_run(program);
   add_optimize(program);
+  add_plan(program);
   add_models(program);
   add_runs(program);
   // add_serve(program);

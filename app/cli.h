@@ -68,6 +68,7 @@ void add_optimize(CLI::App& program);
 void add_models(CLI::App& program);
 void add_runs(CLI::App& program);
 void add_schema(CLI::App& program);
+void add_plan(CLI::App& program);
 void add_serve(CLI::App& program);
 
 /// Runs the whole program; returns its exit code.
