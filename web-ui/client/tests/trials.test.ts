@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { bestSoFar, quantile, ranked } from '../src/logic/trials';
-import { historyOption } from '../src/charts/trials';
+import { historyCeiling, historyOption } from '../src/charts/trials';
 import { matchRoute } from '../src/routes';
 import type { Trial } from '../src/types';
 
@@ -20,10 +20,17 @@ describe('trials of a study', () => {
     expect(quantile([4, 1, 3, 2], 0.5)).toBe(2);
     expect(quantile([4, 1, 3, 2], 1)).toBe(4);
   });
-  it('the history chart draws every trial that has a value', () => {
-    const option = historyOption(trials, 'cost', 'UAH', theme);
-    const series = option.series as { data: number[][] }[];
-    expect(series[0]?.data).toEqual([[1, 5], [2, 7], [3, 1], [4, 3], [6, 4]]);
+  it('the history chart draws every trial that has a value, far-off ones at its edge', () => {
+    const many = [...Array.from({ length: 20 }, (_, k) => trial(k + 1, 100 + k)), trial(21, 5000), trial(22, null)];
+    const ceiling = historyCeiling(many, 110);
+    expect(ceiling).toBeGreaterThan(118);
+    expect(ceiling).toBeLessThan(130);
+    const [inside, beyond, best, today] = historyOption(many, 'cost', 'UAH', 110, theme).series as { data: number[][] }[];
+    expect(inside?.data).toHaveLength(20);
+    expect(inside?.data[3]).toEqual([4, 103]);
+    expect(beyond?.data).toEqual([[21, ceiling, 5000]]);
+    expect(best?.data).toEqual([[1, 100], [22, 100]]);
+    expect(today?.data).toEqual([[1, 110], [22, 110]]);
   });
 });
 

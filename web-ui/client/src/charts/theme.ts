@@ -48,6 +48,15 @@ const known: Record<string, string> = {
   labour: '#B8A000',
 };
 
+/** Black or white, whichever is read better on `colour` (#rrggbb; relative luminance of WCAG 2). */
+export function textOn(colour: string): string {
+  const [r = 0, g = 0, b = 0] = [1, 3, 5].map((k) => {
+    const c = parseInt(colour.slice(k, k + 2), 16) / 255;
+    return c <= 0.04045 ? c / 12.92 : ((c + 0.055) / 1.055) ** 2.4;
+  });
+  return 0.2126 * r + 0.7152 * g + 0.0722 * b > 0.179 ? '#000000' : '#ffffff';
+}
+
 /** Fixed colour of a known state or component, else one by its place. */
 export function colourOf(name: string, place: number): string {
   return known[name] ?? palette[place % palette.length] ?? '#999999';

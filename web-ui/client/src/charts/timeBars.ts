@@ -4,7 +4,7 @@ import { fixed } from '../format';
 import { named } from '../i18n';
 import { tooltip } from './chart';
 import type { Option } from './echarts';
-import { colourOf, type Theme } from './theme';
+import { colourOf, textOn, type Theme } from './theme';
 
 export interface TimeRow {
   machine: string;
@@ -26,7 +26,7 @@ export function timeBars(states: readonly string[], rows: readonly TimeRow[], th
       barMaxWidth: 30,
       itemStyle: { color: colourOf(state, k) },
       data: rows.map((r) => r.percent[k] ?? 0),
-      label: { show: true, color: '#fff', fontSize: 11, formatter: (p: { value?: unknown }) => (Number(p.value) >= 4 ? fixed(Number(p.value), 1) : '') },
+      label: { show: true, color: textOn(colourOf(state, k)), fontSize: 11, formatter: (p: { value?: unknown }) => (Number(p.value) >= 4 ? fixed(Number(p.value), 1) : '') },
       tooltip: { valueFormatter: (v: unknown) => `${fixed(Number(v), 1)} %` },
     })),
   };

@@ -17,23 +17,46 @@ const axis = (theme: Theme, name: string) => ({
   axisLine: { lineStyle: { color: theme.line } },
 });
 
-export function historyOption(trials: readonly Trial[], objective: string, unit: string, theme: Theme): Option {
+/**
+ * Upper edge of the history: a wide search's far-off trials would press the interesting ones into one line. Nine tenths of
+ * the trials, and today's value, lie below it.
+ */
+export function historyCeiling(trials: readonly Trial[], today: number | null): number {
+  const values = trials.flatMap((x) => (x.objective === null ? [] : [x.objective]));
+  if (values.length === 0) return NaN;
+  const low = Math.min(...values);
+  const high = Math.max(quantile(values, 0.9), today ?? -Infinity);
+  return Math.min(Math.max(...values), high + 0.15 * (high - low));
+}
+
+export function historyOption(trials: readonly Trial[], objective: string, unit: string, today: number | null, theme: Theme): Option {
   const known = trials.filter((x) => x.objective !== null);
-  const values = known.map((x) => x.objective ?? 0);
-  // Far-off trials of a wide search would press the interesting ones into one line.
-  const logarithmic = values.length > 0 && Math.min(...values) > 0 && Math.max(...values) / Math.min(...values) > 4;
+  const ceiling = historyCeiling(trials, today);
+  const inside = known.filter((x) => (x.objective ?? 0) <= ceiling);
+  const beyond = known.filter((x) => (x.objective ?? 0) > ceiling);
+  const last = trials.at(-1)?.number ?? 1;
   return {
-    grid: { left: 58, right: 16, top: 30, bottom: 42 },
-    legend: { top: 0, left: 0, itemWidth: 14, itemHeight: 8, textStyle: { color: theme.text, fontSize: 12 } },
+    grid: { left: 62, right: 18, top: 34, bottom: 42 },
+    legend: {
+      top: 0, left: 0, itemWidth: 14, itemHeight: 8, textStyle: { color: theme.text, fontSize: 12 },
+      data: [
+        { name: t('study.trial'), icon: 'circle' },
+        { name: t('study.beyond'), icon: 'triangle' },
+        { name: t('study.bestSoFar'), icon: 'rect' },
+        { name: t('col.today'), icon: 'rect' },
+      ],
+    },
     tooltip: { ...tooltip(theme), formatter: (p: unknown) => {
-      const [number, value] = (p as { value: [number, number] }).value;
-      return `${t('study.trial')} ${number}: ${significant(value)} ${unit}`;
+      const [number, value, real] = (p as { value: [number, number, number?] }).value;
+      return `${t('study.trial')} ${number}: ${significant(real ?? value)} ${unit}`;
     } },
-    xAxis: { type: 'value', min: 1, max: Math.max(2, trials.at(-1)?.number ?? 1), nameGap: 26, ...axis(theme, t('col.number')), splitLine: { show: false } },
-    yAxis: { type: logarithmic ? 'log' : 'value', scale: true, nameGap: 44, ...axis(theme, `${objective}, ${unit}`) },
+    xAxis: { type: 'value', min: 1, max: Math.max(2, last), nameGap: 26, ...axis(theme, t('col.number')), splitLine: { show: false } },
+    yAxis: { type: 'value', scale: true, nameGap: 46, ...axis(theme, `${objective}, ${unit}`) },
     series: [
-      { type: 'scatter', name: t('study.trial'), symbolSize: 4, large: known.length > 5000, itemStyle: { color: theme.accent, opacity: 0.55 }, data: known.map((x) => [x.number, x.objective ?? 0]) },
-      { type: 'line', name: t('study.bestSoFar'), step: 'end', symbol: 'none', lineStyle: { color: theme.bad, width: 2 }, itemStyle: { color: theme.bad }, data: bestSoFar(trials) },
+      { type: 'scatter', name: t('study.trial'), symbolSize: 4, large: inside.length > 5000, itemStyle: { color: theme.accent, opacity: 0.55 }, data: inside.map((x) => [x.number, x.objective ?? 0]) },
+      { type: 'scatter', name: t('study.beyond'), symbol: 'triangle', symbolSize: 7, itemStyle: { color: theme.muted, opacity: 0.7 }, data: beyond.map((x) => [x.number, ceiling, x.objective ?? 0]) },
+      { type: 'line', name: t('study.bestSoFar'), step: 'end', symbol: 'none', lineStyle: { color: theme.good, width: 2 }, itemStyle: { color: theme.good }, data: bestSoFar(trials).filter(([, value]) => value <= ceiling) },
+      ...(today === null ? [] : [{ type: 'line' as const, name: t('col.today'), symbol: 'none', lineStyle: { color: theme.bad, width: 1.5, type: 'dashed' as const }, itemStyle: { color: theme.bad }, data: [[1, today], [Math.max(2, last), today]] }]),
     ],
   };
 }
@@ -56,7 +79,7 @@ export function planeOption(trials: readonly Trial[], variables: readonly Variab
     symbolSize: size,
     z: 5,
     itemStyle: { color: colour, borderColor: theme.panel, borderWidth: 1.5 },
-    label: { show: true, position: 'right' as const, formatter: m.name, color: theme.text, fontWeight: 'bold' as const, textBorderColor: theme.panel, textBorderWidth: 3 },
+    label: { show: true, position: 'right' as const, formatter: m.name, color: theme.text, fontWeight: 'bold' as const, backgroundColor: theme.panel, padding: [2, 4], borderRadius: 3 },
     data: [[m.at[x] ?? 0, m.at[y] ?? 0]],
     tooltip: { formatter: () => `${m.name}: ${significant(m.at[x] ?? 0)}; ${significant(m.at[y] ?? 0)}` },
   });

@@ -123,6 +123,7 @@ export const en = {
   'study.axisX': 'Across',
   'study.axisY': 'Up',
   'study.trial': 'trial',
+  'study.beyond': 'dearer, at the edge',
   'study.bestSoFar': 'best so far',
   'study.trialsHead': 'Cheapest trials',
   'study.trialsUnit': '{shown} of {total}',

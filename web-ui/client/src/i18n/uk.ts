@@ -125,6 +125,7 @@ export const uk: Record<Key, string> = {
   'study.axisX': 'По горизонталі',
   'study.axisY': 'По вертикалі',
   'study.trial': 'проба',
+  'study.beyond': 'дорожчі, на межі',
   'study.bestSoFar': 'найкраще досі',
   'study.trialsHead': 'Найдешевші проби',
   'study.trialsUnit': '{shown} з {total}',

@@ -181,7 +181,7 @@ export const runPage: PageMaker = async (context, [id = '']) => {
   return {
     title: `${t('run.title', { id: run.id })}: ${run.scenario}`,
     body: fragment(
-      h('h1', {}, run.scenario, h('span', { class: 'unit' }, ` ${t('run.title', { id: run.id })} · ${run.label}`)),
+      h('h1', {}, run.scenario, h('span', { class: 'unit' }, ` ${t('run.title', { id: run.id })}${run.label === 'run' ? '' : ` · ${run.label}`}`)),
       h(
         'p',
         { class: 'muted facts' },

@@ -116,7 +116,7 @@ function trialSections(context: PageContext, study: Study): Child {
   const unit = study.result.unit ?? '';
   const objective = named('kpi', study.objective);
   const shown = ranked(study.trial_list).slice(0, 15);
-  const history = chart(context, t('study.history'), 'large', (theme) => historyOption(study.trial_list, objective, unit, theme));
+  const history = chart(context, t('study.history'), 'large', (theme) => historyOption(study.trial_list, objective, unit, study.result.baseline?.analytic ?? null, theme));
   return [
     h('div', { class: 'columns' }, section(t('study.history'), '', history.element), study.variables.length > 0 ? planeSection(context, study) : null),
     section(
