@@ -154,7 +154,7 @@ export const modelPage: PageMaker = async (context, [key = '']) => {
         { class: 'facts' },
         h('span', { class: `flag ${f.provenance.toLowerCase()}` }, f.provenance),
         ` ${provenanceText(f.provenance)}. `,
-        h('span', { class: 'muted' }, `${f.source.id}, ${f.equation}: ${f.source.authors}. ${f.source.title}. ${f.source.published}`),
+        h('span', { class: 'muted' }, `${f.source.id}, ${f.equation}: ${[f.source.authors, f.source.title, f.source.published].map((s) => s.replace(/\.$/, '')).join('. ')}.`),
       ),
       h('div', { class: 'columns' }, section(t('models.inputs'), '', form), section(t('models.outputs'), '', results, f.notes.length > 0 ? [h('h3', {}, t('models.notes')), h('ul', {}, f.notes.map((n) => h('li', {}, n)))] : null)),
     ),

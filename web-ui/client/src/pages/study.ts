@@ -118,7 +118,7 @@ function trialSections(context: PageContext, study: Study): Child {
   const shown = ranked(study.trial_list).slice(0, 15);
   const history = chart(context, t('study.history'), 'large', (theme) => historyOption(study.trial_list, objective, unit, study.result.baseline?.analytic ?? null, theme));
   return [
-    h('div', { class: 'columns' }, section(t('study.history'), '', history.element), study.variables.length > 0 ? planeSection(context, study) : null),
+    section(t('study.history'), '', history.element),
     section(
       t('study.trialsHead'),
       t('study.trialsUnit', { shown: shown.length, total: whole(study.trial_list.length) }),
@@ -157,7 +157,7 @@ export const studyPage: PageMaker = async (context, [id = '']) => {
       ),
       changes.length > 0 ? h('p', { class: 'facts' }, `${t('run.changes')}: `, changes.map((c, k) => [k > 0 ? ', ' : '', h('code', {}, `${c.pointer} = ${c.value}`)])) : null,
       study.result.words ? h('p', { class: `panel finding words ${study.result.verdict ?? ''}`, id: 'finding' }, findingWords(study)) : null,
-      pointSection(study),
+      h('div', { class: 'columns' }, pointSection(study), study.variables.length > 0 && study.trial_list.length > 0 ? planeSection(context, study) : null),
       trialSections(context, study),
     ),
   };
