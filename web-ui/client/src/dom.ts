@@ -69,7 +69,7 @@ export function table<Row>(caption: string, columns: Column<Row>[], rows: readon
             'tr',
             { class: rowClass?.(row) },
             columns.map((c) =>
-              c.rowHead ? h('th', { scope: 'row' }, c.cell(row)) : h('td', { class: c.number ? 'number' : undefined }, c.cell(row)),
+              c.rowHead ? h('th', { scope: 'row', class: c.number ? 'number' : undefined }, c.cell(row)) : h('td', { class: c.number ? 'number' : undefined }, c.cell(row)),
             ),
           ),
         ),

@@ -1,12 +1,12 @@
 import { describe, expect, it } from 'vitest';
-import { bestSoFar, quantile, ranked } from '../src/logic/trials';
+import { bestSoFar, distinctPlans, quantile, ranked } from '../src/logic/trials';
 import { historyCeiling, historyOption } from '../src/charts/trials';
 import { matchRoute } from '../src/routes';
 import type { Trial } from '../src/types';
 
 const trial = (number: number, objective: number | null, feasible = true): Trial => ({ number, stage: 'analytic', values: [number], objective, feasible });
 const trials = [trial(1, 5), trial(2, 7), trial(3, 1, false), trial(4, 3), trial(5, null), trial(6, 4)];
-const theme = { text: '', muted: '', line: '', panel: '', accent: '', good: '', bad: '', cheap: '', middle: '', dear: '' };
+const theme = { font: '', text: '', muted: '', line: '', panel: '', accent: '', good: '', bad: '', cheap: '', middle: '', dear: '' };
 
 describe('trials of a study', () => {
   it('the best so far falls, ignores infeasible trials and reaches the last one', () => {
@@ -15,6 +15,10 @@ describe('trials of a study', () => {
   });
   it('are ranked cheapest first', () => {
     expect(ranked(trials).map((t) => t.number)).toEqual([4, 6, 1, 2]);
+  });
+  it('plans that agree to three digits are listed once, by their cheapest trial', () => {
+    const near = (number: number, value: number, objective: number): Trial => ({ ...trial(number, objective), values: [value, 46.97] });
+    expect(distinctPlans([near(1, 0.4704, 5), near(2, 0.4703, 4), near(3, 0.48, 6)]).map((t) => t.number)).toEqual([2, 3]);
   });
   it('quantiles are members of the list', () => {
     expect(quantile([4, 1, 3, 2], 0.5)).toBe(2);

@@ -27,7 +27,7 @@ export function chart(context: PageContext, label: string, heightClass: string, 
       const instance = init(element, null, { renderer: 'canvas' });
       redraw = () => {
         const theme = currentTheme();
-        instance.setOption({ animation: false, textStyle: { fontFamily: 'inherit', color: theme.text }, ...option(theme) }, true);
+        instance.setOption({ animation: false, textStyle: { fontFamily: theme.font, color: theme.text }, ...option(theme) }, true);
         element.dataset['drawn'] = 'yes';
       };
       redraw();

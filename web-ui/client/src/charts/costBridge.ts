@@ -1,6 +1,6 @@
 // The cost of a part as a bridge: floating bars that end on the total.
 
-import { fixed } from '../format';
+import { fixed, significant } from '../format';
 import { named } from '../i18n';
 import type { BridgeBar } from '../logic/bridge';
 import { tooltip } from './chart';
@@ -18,8 +18,8 @@ export function bridgeOption(bars: readonly BridgeBar[], currency: string, theme
       const bar = bars[(p as { dataIndex: number }).dataIndex];
       return bar ? `${barName(bar)}: ${fixed(bar.printed, 2)} ${currency}` : '';
     } },
-    xAxis: { type: 'category', data: bars.map(barName), axisLabel: { color: theme.text, interval: 0, width: 84, overflow: 'break', fontSize: 11 }, axisTick: { show: false }, axisLine: { lineStyle: { color: theme.line } } },
-    yAxis: { type: 'value', name: currency, nameTextStyle: { color: theme.muted, align: 'right' }, axisLabel: { color: theme.muted }, splitLine: { lineStyle: { color: theme.line } } },
+    xAxis: { type: 'category', data: bars.map(barName), axisLabel: { color: theme.text, interval: 0, width: 84, overflow: 'break', fontSize: 11, lineHeight: 13 }, axisTick: { show: false }, axisLine: { lineStyle: { color: theme.line } } },
+    yAxis: { type: 'value', name: currency, nameTextStyle: { color: theme.muted, align: 'right' }, axisLabel: { color: theme.muted, formatter: (v: number) => significant(v) }, splitLine: { lineStyle: { color: theme.line } } },
     series: [
       // The invisible pillar on which a floating bar stands.
       { type: 'bar', stack: 'bridge', silent: true, itemStyle: { color: 'transparent' }, data: bars.map((b) => Math.min(b.from, b.to)), barMaxWidth: 52 },

@@ -2,6 +2,7 @@
 // apart with any colour vision.
 
 export interface Theme {
+  font: string;
   text: string;
   muted: string;
   line: string;
@@ -18,6 +19,8 @@ export function currentTheme(): Theme {
   const style = getComputedStyle(document.documentElement);
   const colour = (name: string) => style.getPropertyValue(`--${name}`).trim();
   return {
+    // A canvas knows no 'inherit'.
+    font: getComputedStyle(document.body).fontFamily,
     text: colour('text'),
     muted: colour('muted'),
     line: colour('line'),

@@ -12,7 +12,7 @@ const axis = (theme: Theme, name: string) => ({
   name,
   nameLocation: 'middle' as const,
   nameTextStyle: { color: theme.text, fontSize: 12 },
-  axisLabel: { color: theme.muted },
+  axisLabel: { color: theme.muted, formatter: (v: number) => significant(v) },
   splitLine: { lineStyle: { color: theme.line } },
   axisLine: { lineStyle: { color: theme.line } },
 });
@@ -78,7 +78,7 @@ export function planeOption(trials: readonly Trial[], variables: readonly Variab
     symbol,
     symbolSize: size,
     z: 5,
-    itemStyle: { color: colour, borderColor: theme.panel, borderWidth: 1.5 },
+    itemStyle: { opacity: 1, color: colour, borderColor: theme.panel, borderWidth: 1.5 },
     label: { show: true, position: 'right' as const, formatter: m.name, color: theme.text, fontWeight: 'bold' as const, backgroundColor: theme.panel, padding: [2, 4], borderRadius: 3 },
     data: [[m.at[x] ?? 0, m.at[y] ?? 0]],
     tooltip: { formatter: () => `${m.name}: ${significant(m.at[x] ?? 0)}; ${significant(m.at[y] ?? 0)}` },

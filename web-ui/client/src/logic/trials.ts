@@ -28,3 +28,14 @@ export function ranked(trials: readonly Trial[]): Trial[] {
     .filter((t) => t.feasible && t.objective !== null)
     .sort((a, b) => (a.objective ?? 0) - (b.objective ?? 0) || a.number - b.number);
 }
+
+/** Ranked trials without those whose variables all agree to `digits` significant digits with a cheaper one. */
+export function distinctPlans(trials: readonly Trial[], digits = 3): Trial[] {
+  const seen = new Set<string>();
+  return ranked(trials).filter((t) => {
+    const key = t.values.map((v) => v.toPrecision(digits)).join(' ');
+    if (seen.has(key)) return false;
+    seen.add(key);
+    return true;
+  });
+}

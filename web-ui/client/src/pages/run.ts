@@ -126,7 +126,7 @@ function costSection(context: PageContext, run: Run): HTMLElement {
       [
         { head: t('col.component'), rowHead: true, cell: (b) => fragment(b.total ? null : swatch(colourOf(b.key, bars.indexOf(b))), barName(b)) },
         { head: t('col.mean'), unit: `${run.currency}/part`, number: true, cell: (b) => fixed(b.printed, 2) },
-        { head: t('col.half'), unit: `${run.currency}/part`, number: true, cell: (b) => (b.kpi?.half_width_95 ? estimate(b.kpi.mean, b.kpi.half_width_95).half : '–') },
+        { head: t('col.half'), unit: `${run.currency}/part`, number: true, cell: (b) => (b.kpi?.half_width_95 ? (b.kpi.half_width_95 < 0.005 ? `< ${fixed(0.01, 2)}` : fixed(b.kpi.half_width_95, 2)) : '–') },
         { head: t('col.share'), unit: '%', number: true, cell: (b) => (b.total || b.key === 'scrapped_parts' ? '' : fixed(shares[bars.indexOf(b)] ?? 0, 1)) },
       ],
       bars,

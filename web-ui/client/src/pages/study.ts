@@ -6,7 +6,7 @@ import { historyOption, planeOption } from '../charts/trials';
 import { fragment, h, table, type Child } from '../dom';
 import { dateTime, estimateText, fixed, significant, unitText, whole } from '../format';
 import { language, named, t } from '../i18n';
-import { ranked } from '../logic/trials';
+import { distinctPlans } from '../logic/trials';
 import { changeList, downloadButton, section, type PageContext, type PageMaker } from '../page';
 import type { PlanPoint, Study, Trial } from '../types';
 
@@ -93,7 +93,7 @@ function planeSection(context: PageContext, study: Study): HTMLElement {
   const at = (p: PlanPoint | undefined) => (p ? study.variables.map((v) => p.values.find((q) => q.pointer === v.pointer)?.value ?? 0) : undefined);
   const bestAt = at(study.result.best);
   const todayAt = at(study.result.baseline);
-  const picture = chart(context, t('study.plane'), 'large', (theme) =>
+  const picture = chart(context, t('study.plane'), 'medium', (theme) =>
     planeOption(study.trial_list, study.variables, x, y, study.result.unit ?? '', bestAt && { name: t('col.best'), at: bestAt }, todayAt && { name: t('col.today'), at: todayAt }, theme),
   );
   const choice = (id: string, label: string, chosen: number, set: (k: number) => void) => {
@@ -115,13 +115,13 @@ function trialSections(context: PageContext, study: Study): Child {
   if (study.trial_list.length === 0) return section(t('study.history'), '', h('p', {}, t('study.noTrials')));
   const unit = study.result.unit ?? '';
   const objective = named('kpi', study.objective);
-  const shown = ranked(study.trial_list).slice(0, 15);
+  const shown = distinctPlans(study.trial_list).slice(0, 12);
   const history = chart(context, t('study.history'), 'large', (theme) => historyOption(study.trial_list, objective, unit, study.result.baseline?.analytic ?? null, theme));
   return [
     section(t('study.history'), '', history.element),
     section(
       t('study.trialsHead'),
-      t('study.trialsUnit', { shown: shown.length, total: whole(study.trial_list.length) }),
+      t('study.trialsUnit', { total: whole(study.trial_list.length) }),
       h(
         'p',
         { class: 'row no-print' },
