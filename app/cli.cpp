@@ -124,7 +124,7 @@ int run_program(int argc, char** argv) {
   add_plan(program);
   add_models(program);
   add_runs(program);
-  // add_serve(program);
+  add_serve(program);
   add_schema(program);
   try {
     program.parse(argc, argv);

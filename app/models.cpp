@@ -8,6 +8,7 @@
 
 #include "app/cli.h"
 #include "models/catalogue/catalogue.h"
+#include "scenarios/function_json.h"
 #include "scenarios/model_json.h"
 
 namespace verstat::app {
@@ -20,57 +21,10 @@ using models::Source;
 using nlohmann::json;
 using nlohmann::ordered_json;
 
-ordered_json field_json(const Field& f, bool input) {
-  ordered_json j = {{"name", f.name},
-                    {"symbol", f.symbol},
-                    {"unit", f.unit},
-                    {"type", f.access->type()},
-                    {"meaning", f.meaning}};
-  if (input) {
-    j["required"] = f.required;
-    if (!f.required) j["default"] = scenarios::to_json(f.default_value);
-    j["example"] = scenarios::to_json(f.example);
-  }
-  if (std::isfinite(f.range.low)) j[f.range.low_open ? "above" : "at_least"] = f.range.low;
-  if (std::isfinite(f.range.high)) j[f.range.high_open ? "below" : "at_most"] = f.range.high;
-  return j;
-}
-
-ordered_json function_json(const Source& source, const Function& f, bool whole) {
-  ordered_json j = {{"key", f.key},
-                    {"summary", f.summary},
-                    {"role", source.info().role},
-                    {"equation", f.equation},
-                    {"provenance", models::to_string(f.provenance)}};
-  if (!whole) return j;
-  j["source"] = {{"id", source.info().id},
-                 {"title", source.info().title},
-                 {"authors", source.info().authors},
-                 {"published", source.info().published}};
-  j["inputs"] = ordered_json::array();
-  for (const Field& field : f.inputs) j["inputs"].push_back(field_json(field, true));
-  j["outputs"] = ordered_json::array();
-  for (const Field& field : f.outputs) j["outputs"].push_back(field_json(field, false));
-  j["notes"] = f.notes;
-  j["example"] = {{"inputs", scenarios::to_json(f.example_inputs())},
-                  {"outputs", scenarios::to_json(f.evaluate(f.example_inputs()))}};
-  return j;
-}
-
 std::string lower(std::string text) {
   std::transform(text.begin(), text.end(), text.begin(),
                  [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
-}
-
-// True when every word stands somewhere in the function's description.
-bool matches(const Source& source, const Function& f, const std::vector<std::string>& words) {
-  std::string all = f.key + " " + f.summary + " " + source.info().title + " " + source.info().role;
-  for (const Field& field : f.inputs) all += " " + field.name + " " + field.meaning;
-  for (const Field& field : f.outputs) all += " " + field.name + " " + field.meaning;
-  all = lower(all);
-  return std::all_of(words.begin(), words.end(),
-                     [&](const std::string& w) { return all.find(lower(w)) != std::string::npos; });
 }
 
 void list(const std::string& source_id, const std::vector<std::string>& words, bool as_json) {
@@ -80,10 +34,10 @@ void list(const std::string& source_id, const std::vector<std::string>& words, b
     if (!source_id.empty() && lower(source.info().id) != lower(source_id)) continue;
     bool headed = false;
     for (const Function& f : source.functions()) {
-      if (!matches(source, f, words)) continue;
+      if (!scenarios::function_matches(source, f, words)) continue;
       any = true;
       if (as_json) {
-        answer.push_back(function_json(source, f, false));
+        answer.push_back(scenarios::function_json(source, f, false));
         continue;
       }
       if (!headed) fmt::print("{}  {} ({})\n", source.info().id, source.info().title, source.info().role);
@@ -99,13 +53,6 @@ void list(const std::string& source_id, const std::vector<std::string>& words, b
     fmt::print("\n{} functions from {} sources; `verstat models show KEY` explains one\n",
                models::catalogue().function_count(), models::catalogue().sources().size());
   }
-}
-
-const Source& source_of(const Function& function) {
-  for (const Source& source : models::catalogue().sources())
-    for (const Function& f : source.functions())
-      if (&f == &function) return source;
-  throw std::logic_error("a function without a source");
 }
 
 void show_fields(const char* head, const std::vector<Field>& fields, bool input) {
@@ -127,9 +74,9 @@ void show_fields(const char* head, const std::vector<Field>& fields, bool input)
 
 void show(const std::string& key, bool as_json) {
   const Function& f = models::catalogue().at(key);
-  const Source& source = source_of(f);
+  const Source& source = scenarios::source_of(f);
   if (as_json) {
-    fmt::print("{}\n", function_json(source, f, true).dump(2));
+    fmt::print("{}\n", scenarios::function_json(source, f, true).dump(2));
     return;
   }
   fmt::print("{}\n{}\n\n{} {}, {}: {}\n{}\n\n", f.key, f.summary, source.info().id, f.equation,

@@ -1,0 +1,530 @@
+// The server over a real socket. The client is written with plain sockets, so that it can misbehave.
+
+#include <chrono>
+#include <filesystem>
+#include <optional>
+#include <regex>
+#include <thread>
+
+#include <arpa/inet.h>
+#include <catch2/catch.hpp>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <nlohmann/json.hpp>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "models/catalogue/catalogue.h"
+#include "scenarios/function_json.h"
+#include "scenarios/model_json.h"
+#include "store/database.h"
+#include "store/result_json.h"
+#include "web-ui/server/http.h"
+#include "web-ui/server/openapi.h"
+#include "web-ui/server/site.h"
+
+using namespace verstat;
+using namespace std::chrono_literals;
+using nlohmann::json;
+
+namespace {
+
+class Socket {
+ public:
+  explicit Socket(std::uint16_t port) : descriptor_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(port);
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    // A test that waits for ever tells nothing.
+    const timeval patience{10, 0};
+    ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    ::setsockopt(descriptor_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
+    connected_ = ::connect(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  }
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+  ~Socket() { ::close(descriptor_); }
+
+  [[nodiscard]] bool connected() const { return connected_; }
+  /// False when the peer has hung up.
+  bool send(std::string_view data) const {
+    while (!data.empty()) {
+      const auto sent = ::send(descriptor_, data.data(), data.size(), MSG_NOSIGNAL);
+      if (sent <= 0) return false;
+      data.remove_prefix(static_cast<std::size_t>(sent));
+    }
+    return true;
+  }
+  /// Up to the end of the connection.
+  [[nodiscard]] std::string read_all() const {
+    std::string all;
+    while (read_some(all)) continue;
+    return all;
+  }
+  /// One answer of a connection that stays open.
+  [[nodiscard]] std::string read_answer() const {
+    std::string all;
+    static const std::regex length("Content-Length: (\\d+)");
+    for (;;) {
+      const auto end = all.find("\r\n\r\n");
+      std::smatch match;
+      if (end != std::string::npos && std::regex_search(all, match, length) &&
+          all.size() >= end + 4 + std::stoul(match[1]))
+        return all;
+      if (!read_some(all)) return all;
+    }
+  }
+
+ private:
+  bool read_some(std::string& all) const {
+    char piece[8192];
+    const auto size = ::recv(descriptor_, piece, sizeof piece, 0);
+    if (size > 0) all.append(piece, static_cast<std::size_t>(size));
+    return size > 0;
+  }
+  int descriptor_;
+  bool connected_ = false;
+};
+
+struct Answer {
+  int status = 0;
+  std::map<std::string, std::string> headers;
+  std::string body;
+  [[nodiscard]] json parsed() const { return json::parse(body); }
+  [[nodiscard]] std::string message() const { return parsed().at("error").at("message"); }
+};
+
+Answer parse_answer(const std::string& text) {
+  Answer answer;
+  const auto end = text.find("\r\n\r\n");
+  if (text.size() < 12 || end == std::string::npos) return answer;
+  answer.status = std::stoi(text.substr(9, 3));
+  std::size_t at = text.find("\r\n") + 2;
+  while (at < end) {
+    const auto stop = text.find("\r\n", at);
+    const auto colon = text.find(": ", at);
+    answer.headers[text.substr(at, colon - at)] = text.substr(colon + 2, stop - colon - 2);
+    at = stop + 2;
+  }
+  answer.body = text.substr(end + 4);
+  return answer;
+}
+
+store::Run example_run(int number) {
+  store::Run run;
+  run.header = {.label = fmt::format("run <{}> \"quoted\"", number),
+                .scenario_name = "Cell",
+                .changes = R"([{"pointer": "/seed", "value": 0.1}])",
+                .seed = 18446744073709551615U,
+                .replications = 2,
+                .horizon_min = 1000,
+                .warmup_min = 100,
+                .elapsed_s = 0.1,
+                .provenance = {"0.1", "test", "2026-01-02T03:04:05Z"}};
+  run.scenario_text = "{}";
+  run.currency = "UAH";
+  run.kpis.push_back({.kpi = {"cost_per_part", "UAH", "cost"},
+                      .mean = 0.1 + 0.2 * number,
+                      .half_width = 1.0 / 3,
+                      .samples = 2});
+  run.kpis.push_back({.kpi = {"throughput_per_h", "parts/h", "rate"},
+                      .mean = std::nullopt,
+                      .half_width = std::nullopt,
+                      .samples = 0});
+  run.values = {{1.5, std::nullopt}, {2.5, std::nullopt}};
+  return run;
+}
+
+constexpr int run_count = 7;
+
+constexpr web::Asset test_pages[] = {
+    {"/index.html", "text/html; charset=utf-8", "aaaa", false, "<p>plain</p>", "gzipped"},
+    {"/assets/x-1.js", "text/javascript; charset=utf-8", "bbbb", true, "1;", ""}};
+
+/// A database of runs and one study, and a server on a free port, ended with the test.
+class Serving {
+ public:
+  explicit Serving(web::HttpOptions options = {}, const std::string& token = "")
+      : folder_(std::filesystem::temp_directory_path() / fmt::format("verstat-web-{}", ::getpid())) {
+    std::filesystem::create_directories(folder_);
+    std::filesystem::remove(file());
+    {
+      store::Writer writer(file());
+      for (int k = 1; k <= run_count; ++k) writer.add_run(example_run(k));
+      store::Study study;
+      study.header = {.name = "Study",
+                      .scenario_name = "Cell",
+                      .status = "running",
+                      .objective = "cost_per_part",
+                      .seed = 7,
+                      .provenance = {"0.1", "test", "2026-01-02T03:04:05Z"}};
+      study.changes = "[]";
+      study.study_text = "{}";
+      study.scenario_text = "{}";
+      study.variables = {{"speed", "/v", "m/min", 20, 120}};
+      const auto id = writer.begin_study(study);
+      writer.add_trials(id, {{.number = 1, .stage = "analytic", .values = {1.0 / 3}, .objective = 125.4}});
+      writer.finish_study(id, 1, 2, R"({"words": "saves"})", "finished");
+    }
+    options.port = 0;
+    site_.emplace(web::Api(file(), "9.9"), test_pages);
+    server_.emplace(options, [this](const web::Request& request) { return site_->answer(guard_, request); });
+    guard_ = web::guard_for("127.0.0.1", true, server_->port(), token);
+    thread_ = std::jthread([this] { server_->run(false); });
+  }
+  Serving(const Serving&) = delete;
+  Serving& operator=(const Serving&) = delete;
+  ~Serving() {
+    server_->stop();
+    thread_.join();
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
+  [[nodiscard]] std::filesystem::path file() const { return folder_ / "results.db"; }
+  [[nodiscard]] std::uint16_t port() const { return server_->port(); }
+  [[nodiscard]] std::string host() const { return fmt::format("127.0.0.1:{}", port()); }
+
+  [[nodiscard]] Answer raw(const std::string& text) const {
+    const Socket socket(port());
+    socket.send(text);
+    return parse_answer(socket.read_all());
+  }
+  [[nodiscard]] Answer get(const std::string& target, const std::string& more = "",
+                           const std::string& method = "GET") const {
+    return raw(fmt::format("{} {} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n{}\r\n", method, target,
+                           host(), more));
+  }
+  [[nodiscard]] Answer post(
+      const std::string& target, const std::string& body,
+      const std::string& more = "X-Verstat: 1\r\nContent-Type: application/json\r\n") const {
+    return raw(
+        fmt::format("POST {} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n{}Content-Length: {}\r\n\r\n{}",
+                    target, host(), more, body.size(), body));
+  }
+
+ private:
+  std::filesystem::path folder_;
+  web::Guard guard_;
+  std::optional<web::Site> site_;
+  std::optional<web::HttpServer> server_;
+  std::jthread thread_;
+};
+
+}  // namespace
+
+TEST_CASE("runs and studies are answered exactly as the command line prints them") {
+  const Serving serving;
+  const store::Reader reader(serving.file());
+  CHECK(serving.get("/api/v1/runs/3").body == store::to_json(*reader.run(3)).dump(2) + "\n");
+  CHECK(serving.get("/api/v1/runs/3?replications=1").body ==
+        store::to_json(*reader.run(3), true).dump(2) + "\n");
+  CHECK(serving.get("/api/v1/studies/1").body == store::to_json(*reader.study(1)).dump(2) + "\n");
+  const Answer answer = serving.get("/api/v1/runs/3");
+  CHECK(answer.status == 200);
+  CHECK(answer.headers.at("Content-Type") == "application/json");
+  CHECK(answer.parsed()["seed"] == "18446744073709551615");
+}
+
+TEST_CASE("lists are paged, newest first") {
+  const Serving serving;
+  const json page = serving.get("/api/v1/runs?limit=3&offset=2").parsed();
+  CHECK(page["total"] == run_count);
+  std::vector<int> ids;
+  for (const json& run : page["runs"]) ids.push_back(run["id"]);
+  CHECK(ids == std::vector<int>{5, 4, 3});
+  CHECK_FALSE(page["runs"][0].contains("kpis"));
+  CHECK(serving.get("/api/v1/runs?offset=100").parsed()["runs"].empty());
+  const json with = serving.get("/api/v1/runs?limit=1&kpis=cost_per_part,nothing").parsed()["runs"][0];
+  REQUIRE(with["kpis"].size() == 1);
+  CHECK(with["kpis"][0]["mean"] == 0.1 + 0.2 * run_count);
+  CHECK(with["currency"] == "UAH");
+  CHECK(serving.get("/api/v1/studies").parsed()["total"] == 1);
+}
+
+TEST_CASE("bad addresses and parameters are refused with a reason") {
+  const Serving serving;
+  struct Case {
+    const char* target;
+    int status;
+    const char* part;
+  };
+  for (const Case& c :
+       std::initializer_list<Case>{{"/api/v1/runs/99", 404, "no run 99"},
+                                   {"/api/v1/runs/abc", 400, "whole number"},
+                                   {"/api/v1/runs/0", 400, "whole number"},
+                                   {"/api/v1/runs/1x", 400, "whole number"},
+                                   {"/api/v1/runs/99999999999999999999", 400, "whole number"},
+                                   {"/api/v1/runs/1/2", 404, "openapi.json"},
+                                   {"/api/v1/studies/9", 404, "no study 9"},
+                                   {"/api/v1/runs?limit=0", 400, "from 1 to 200"},
+                                   {"/api/v1/runs?limit=201", 400, "from 1 to 200"},
+                                   {"/api/v1/runs?limit=2e1", 400, "?limit=2e1"},
+                                   {"/api/v1/runs?offset=-1", 400, "?offset=-1"},
+                                   {"/api/v1/runs?limt=3", 400, "no such parameter"},
+                                   {"/api/v1/runs/1?format=xml", 400, "json, csv"},
+                                   {"/api/v1/runs/1?format=csv&decimal=comma", 400, "separator=semicolon"},
+                                   {"/api/v1/models/K117.part_kost", 404, "K117.part_cost"},
+                                   {"/api/v2/runs", 404, "/api/v2/runs"},
+                                   {"/api", 404, "/api"},
+                                   {"/nothing.html", 404, "nothing.html"},
+                                   {"/../../etc/passwd", 400, "not an address"},
+                                   {"/%2e%2e/%2e%2e/etc/passwd", 400, "not an address"},
+                                   {"/assets/..%2f..%2fetc%2fpasswd", 400, "not an address"},
+                                   {"//etc/passwd", 400, "not an address"}}) {
+    CAPTURE(c.target);
+    const Answer answer = serving.get(c.target);
+    CHECK(answer.status == c.status);
+    CHECK(answer.parsed()["error"]["status"] == c.status);
+    CHECK_THAT(answer.message(), Catch::Contains(c.part));
+  }
+}
+
+TEST_CASE("entity tags spare what has not changed") {
+  const Serving serving;
+  const Answer first = serving.get("/api/v1/runs");
+  const std::string tag = first.headers.at("ETag");
+  const Answer again = serving.get("/api/v1/runs", "If-None-Match: \"x\", W/" + tag + "\r\n");
+  CHECK(again.status == 304);
+  CHECK(again.body.empty());
+  CHECK(again.headers.at("ETag") == tag);
+  store::Writer(serving.file()).add_run(example_run(8));
+  const Answer changed = serving.get("/api/v1/runs", "If-None-Match: " + tag + "\r\n");
+  CHECK(changed.status == 200);
+  CHECK(changed.parsed()["total"] == run_count + 1);
+  CHECK(serving.get("/api/v1/runs/99", "If-None-Match: *\r\n").status == 404);
+}
+
+TEST_CASE("methods: HEAD is GET without a body, others are named") {
+  const Serving serving;
+  const Answer head = serving.get("/api/v1/runs/1", "", "HEAD");
+  CHECK(head.status == 200);
+  CHECK(head.body.empty());
+  CHECK(std::stoul(head.headers.at("Content-Length")) == serving.get("/api/v1/runs/1").body.size());
+  const Answer deleted = serving.get("/api/v1/runs/1", "X-Verstat: 1\r\n", "DELETE");
+  CHECK(deleted.status == 405);
+  CHECK(deleted.headers.at("Allow") == "GET, HEAD");
+  CHECK(serving.get("/api/v1/models/K117.part_cost/eval").headers.at("Allow") == "POST");
+  CHECK(serving.post("/", "{}").status == 405);
+}
+
+TEST_CASE("a model is evaluated as on the command line, and bad input is named") {
+  const Serving serving;
+  const std::string target = "/api/v1/models/K117.weibull_from_moments/eval";
+  const models::Function& f = models::catalogue().at("K117.weibull_from_moments");
+  const auto inputs = json::parse(R"({"mean_min": 60, "cv": 0.7})");
+  const Answer good = serving.post(target, R"({"inputs": {"mean_min": 60, "cv": 0.7}})");
+  CHECK(good.status == 200);
+  CHECK(good.parsed()["outputs"] == json(scenarios::to_json(f.evaluate(scenarios::to_value(inputs)))));
+
+  const Answer range = serving.post(target, R"({"inputs": {"mean_min": 60, "cv": -1}})");
+  CHECK(range.status == 422);
+  CHECK(range.parsed()["error"]["input"] == "cv");
+  CHECK_THAT(range.message(), Catch::Contains("cv = -1"));
+  CHECK(serving.post(target, R"({"inputs": {"mean_min": 60, "cv": 0.7, "cw": 1}})").status == 422);
+  CHECK(serving.post(target, R"({"inputs": )").status == 400);
+  CHECK(serving.post(target, "[]").status == 400);
+  CHECK(serving.post(target, R"({"inputs": {}, "more": 1})").status == 400);
+  CHECK(serving.post(target, std::string(5000, '[')).status == 400);  // depth is limited
+  CHECK(serving.post(target, "{}", "X-Verstat: 1\r\nContent-Type: text/plain\r\n").status == 415);
+  CHECK(serving.post(target, "{}", "Content-Type: application/json\r\n").status == 403);
+  CHECK(serving
+            .post(target, "{}",
+                  "X-Verstat: 1\r\nContent-Type: application/json\r\nOrigin: http://evil.example\r\n")
+            .status == 403);
+}
+
+TEST_CASE("the catalogue is listed, searched and shown") {
+  const Serving serving;
+  const json all = serving.get("/api/v1/models").parsed();
+  CHECK(all["total"] == models::catalogue().function_count());
+  CHECK(all["functions"].size() == models::catalogue().function_count());
+  const json found = serving.get("/api/v1/models?search=weibull+moments").parsed();
+  CHECK(found["total"] >= 1);
+  CHECK(found["total"] < all["total"]);
+  const models::Function& f = models::catalogue().at("K117.part_cost");
+  const Answer shown = serving.get("/api/v1/models/K117.part_cost");
+  CHECK(shown.body == scenarios::function_json(scenarios::source_of(f), f, true).dump(2) + "\n");
+  const json strategy = shown.parsed()["inputs"][0];
+  CHECK(strategy["kind"] == "choice");
+  CHECK(strategy["choices"].size() == 4);
+}
+
+TEST_CASE("tables can be had as CSV") {
+  const Serving serving;
+  const Answer csv = serving.get("/api/v1/runs/2?format=csv&separator=semicolon&decimal=comma");
+  CHECK(csv.headers.at("Content-Type") == "text/csv; charset=utf-8");
+  CHECK(csv.headers.at("Content-Disposition") == "attachment; filename=\"run-2.csv\"");
+  CHECK_THAT(csv.body, Catch::Contains("cost_per_part;0,5;0,3333333333333333;UAH;2;cost\r\n"));
+  CHECK_THAT(serving.get("/api/v1/studies/1?format=csv").body,
+             Catch::Contains("1,analytic,0.3333333333333333,125.4,1\r\n"));
+}
+
+TEST_CASE("the description names every address, and every address it names answers") {
+  const Serving serving;
+  const json description = serving.get("/api/v1/openapi.json").parsed();
+  CHECK(description["openapi"] == "3.0.3");
+  for (const auto& [path, methods] : description["paths"].items()) {
+    CAPTURE(path);
+    if (!methods.contains("get")) continue;
+    std::string target = "/api/v1" + path;
+    for (const auto& [name, value] : {std::pair{"{id}", "1"}, std::pair{"{key}", "K117.part_cost"}})
+      if (const auto at = target.find(name); at != std::string::npos)
+        target.replace(at, std::string(name).size(), value);
+    const Answer answer = serving.get(target);
+    CHECK(answer.status == 200);
+    // Members that the description calls required are there.
+    const json schema = methods["get"]["responses"]["200"]["content"]["application/json"]["schema"];
+    for (const json& member : schema.value("required", json::array()))
+      CHECK(answer.parsed().contains(member));
+  }
+  CHECK(description["paths"].size() == 10);
+}
+
+TEST_CASE("every answer forbids foreign scripts, frames and sniffing") {
+  const Serving serving;
+  for (const char* target : {"/", "/api/v1/runs", "/nothing"}) {
+    CAPTURE(target);
+    const Answer answer = serving.get(target);
+    CHECK_THAT(answer.headers.at("Content-Security-Policy"),
+               Catch::Contains("default-src 'none'; script-src 'self'"));
+    CHECK(answer.headers.at("X-Content-Type-Options") == "nosniff");
+    CHECK(answer.headers.at("X-Frame-Options") == "DENY");
+    CHECK(answer.headers.count("Access-Control-Allow-Origin") == 0);
+  }
+}
+
+TEST_CASE("pages come compressed to those who take it, named ones for ever") {
+  const Serving serving;
+  CHECK(serving.get("/").body == "<p>plain</p>");
+  const Answer packed = serving.get("/", "Accept-Encoding: br, gzip\r\n");
+  CHECK(packed.body == "gzipped");
+  CHECK(packed.headers.at("Content-Encoding") == "gzip");
+  CHECK(packed.headers.at("Vary") == "Accept-Encoding");
+  CHECK(packed.headers.at("ETag") != serving.get("/").headers.at("ETag"));
+  CHECK(serving.get("/", "Accept-Encoding: gzip;q=0\r\n").headers.count("Content-Encoding") == 0);
+  CHECK_THAT(serving.get("/assets/x-1.js", "Accept-Encoding: gzip\r\n").headers.at("Cache-Control"),
+             Catch::Contains("immutable"));
+}
+
+TEST_CASE("a rebinding page is refused over the socket, too") {
+  const Serving serving;
+  const auto with_host = [&](const std::string& host) {
+    return serving.raw("GET /api/v1/runs HTTP/1.1\r\nConnection: close\r\n" + host + "\r\n").status;
+  };
+  CHECK(with_host("Host: " + serving.host() + "\r\n") == 200);
+  CHECK(with_host("Host: evil.example\r\n") == 403);
+  CHECK(with_host("Host: " + serving.host() + "\r\nHost: evil.example\r\n") == 403);
+  CHECK(with_host("") == 400);
+}
+
+TEST_CASE("with a token the API is closed without it") {
+  const Serving serving({}, "0123456789abcdef");
+  const Answer refused = serving.get("/api/v1/runs");
+  CHECK(refused.status == 401);
+  CHECK(refused.headers.at("WWW-Authenticate") == "Bearer");
+  CHECK(refused.body.find("Cell") == std::string::npos);
+  CHECK(serving.get("/api/v1/nothing").status == 401);
+  CHECK(serving.get("/").status == 200);
+  CHECK(serving.get("/api/v1/runs", "Authorization: Bearer 0123456789abcdef\r\n").status == 200);
+}
+
+TEST_CASE("bodies and headers that are too large are cut off") {
+  const Serving serving({.header_bytes = 4096, .body_bytes = 10'000});
+  CHECK(serving.post("/api/v1/models/K117.part_cost/eval", std::string(10'001, ' ')).status == 413);
+  CHECK(serving.get("/api/v1/runs", "X-Long: " + std::string(5000, 'x') + "\r\n").status == 431);
+
+  // A chunked body tells no length beforehand: it must be counted as it comes.
+  const Socket socket(serving.port());
+  REQUIRE(socket.send(
+      fmt::format("POST /api/v1/models/K117.part_cost/eval HTTP/1.1\r\nHost: {}\r\nX-Verstat: 1\r\n"
+                  "Content-Type: application/json\r\nTransfer-Encoding: chunked\r\n\r\n",
+                  serving.host())));
+  const std::string chunk = "3e8\r\n" + std::string(1000, ' ') + "\r\n";
+  int sent = 0;
+  while (sent < 100'000 && socket.send(chunk)) ++sent;
+  CHECK(sent < 100'000);  // 100 MB were offered
+  CHECK(serving.get("/api/v1/runs").status == 200);
+}
+
+TEST_CASE("what is no HTTP is refused") {
+  const Serving serving;
+  CHECK(serving.raw("hello there\r\n\r\n").status == 400);
+  CHECK(serving.raw("GET /\r\n\r\n").status == 400);
+  CHECK(serving.raw(std::string("GET / HTTP/1.1\r\nHost: \0x\r\n\r\n", 27)).status == 400);
+}
+
+TEST_CASE("slow and silent clients are hung up on while others are served") {
+  const Serving serving({.idle_timeout = 300ms, .read_timeout = 300ms});
+  const Socket silent(serving.port());
+  const Socket slow(serving.port());
+  const auto start = std::chrono::steady_clock::now();
+  bool alive = true;
+  // A header byte every 30 ms would take for ever; the whole request must come within the time.
+  for (int k = 0; alive && k < 300; ++k) {
+    alive = slow.send(k == 0 ? "G" : "E");
+    std::this_thread::sleep_for(30ms);
+    if (k == 3) CHECK(serving.get("/api/v1/runs").status == 200);
+  }
+  CHECK_FALSE(alive);
+  CHECK(std::chrono::steady_clock::now() - start < 8s);
+  CHECK(silent.read_all().empty());
+}
+
+TEST_CASE("a connection is used again, and requests sent together are answered in order") {
+  const Serving serving;
+  const Socket socket(serving.port());
+  const std::string head = fmt::format("HTTP/1.1\r\nHost: {}\r\n", serving.host());
+  socket.send("GET /api/v1/runs/1 " + head + "\r\n");
+  CHECK(parse_answer(socket.read_answer()).parsed()["id"] == 1);
+  socket.send("GET /api/v1/runs/2 " + head + "\r\nGET /api/v1/runs/3 " + head + "Connection: close\r\n\r\n");
+  const std::string both = socket.read_all();
+  const auto second = both.find("HTTP/1.1", 1);
+  REQUIRE(second != std::string::npos);
+  CHECK(parse_answer(both.substr(0, second)).parsed()["id"] == 2);
+  CHECK(parse_answer(both.substr(second)).parsed()["id"] == 3);
+}
+
+TEST_CASE("connections are limited, and room returns when one ends") {
+  const Serving serving({.most_connections = 3});
+  std::optional<Socket> a;
+  std::optional<Socket> b;
+  std::optional<Socket> c;
+  for (auto* socket : {&a, &b, &c}) socket->emplace(serving.port());
+  // A fourth is hung up on at once, long before any timeout.
+  const auto start = std::chrono::steady_clock::now();
+  int status = 200;
+  while (status == 200 && std::chrono::steady_clock::now() - start < 5s)
+    status = serving.get("/api/v1/runs").status;
+  CHECK(status == 0);
+  a.reset();
+  b.reset();
+  c.reset();
+  while (status != 200 && std::chrono::steady_clock::now() - start < 10s)
+    status = serving.get("/api/v1/runs").status;
+  CHECK(status == 200);
+}
+
+TEST_CASE("reading holds up no writer, and a vanished database is said") {
+  const Serving serving;
+  CHECK(serving.get("/api/v1/runs/1").status == 200);
+  store::Writer(serving.file()).add_run(example_run(8));
+  CHECK(serving.get("/api/v1/health").parsed()["runs"] == run_count + 1);
+  std::filesystem::remove(serving.file());
+  const Answer gone = serving.get("/api/v1/health");
+  CHECK(gone.status == 503);
+  CHECK_THAT(gone.message(), Catch::Contains("does not exist"));
+}
+
+TEST_CASE("a port in use is one clear error") {
+  const Serving serving;
+  CHECK_THROWS_WITH(
+      web::HttpServer({.port = serving.port()}, [](const web::Request&) { return web::Response{}; }),
+      Catch::Contains(fmt::format("cannot listen on 127.0.0.1 port {}", serving.port())) &&
+          Catch::Contains("--port"));
+  CHECK(web::is_loopback("127.0.0.1"));
+  CHECK(web::is_loopback("::1"));
+  CHECK_FALSE(web::is_loopback("0.0.0.0"));
+  CHECK_THROWS_WITH(web::is_loopback("example.org"), Catch::Contains("no numeric address"));
+}

@@ -1,0 +1,289 @@
+// Journeys through the pages in a real browser against a real server and database:
+//   node journeys.mjs --program verstat --chromium /usr/bin/chromium --scenarios scenarios/gallery --images DIR
+// Makes its own database in a temporary folder, starts the server on a free port, ends both. Exit code 1 and a list
+// of what went wrong when anything does.
+import assert from 'node:assert/strict';
+import { execFileSync, spawn } from 'node:child_process';
+import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
+import { createRequire } from 'node:module';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { parseArgs } from 'node:util';
+import { chromium } from 'playwright-core';
+
+const { values: options } = parseArgs({
+  options: { program: { type: 'string' }, chromium: { type: 'string' }, scenarios: { type: 'string' }, images: { type: 'string' } },
+});
+const folder = mkdtempSync(join(tmpdir(), 'verstat-pages-'));
+const db = join(folder, 'journeys.db');
+const verstat = (...args) => execFileSync(options.program, [...args, '--db', db], { encoding: 'utf8', stdio: ['ignore', 'pipe', 'pipe'] });
+const json = (...args) => JSON.parse(verstat('runs', '--json', ...args));
+
+function startServer(...args) {
+  const server = spawn(options.program, ['serve', '--db', db, '--port', '0', ...args], { stdio: ['ignore', 'pipe', 'pipe'] });
+  return new Promise((resolve, reject) => {
+    let log = '';
+    server.stdout.on('data', (data) => {
+      log += data;
+      if (log.includes('\n')) resolve({ server, url: log.trim() });
+    });
+    server.stderr.on('data', (data) => (log += data));
+    server.on('exit', (code) => reject(new Error(`verstat serve ended with ${code}: ${log}`)));
+  });
+}
+
+const ended = (server) => new Promise((resolve) => server.once('exit', (code, signal) => resolve(code ?? signal)));
+
+let failures = 0;
+async function journey(name, body) {
+  const start = Date.now();
+  try {
+    await body();
+    console.log(`ok    ${name} (${Date.now() - start} ms)`);
+  } catch (error) {
+    failures += 1;
+    console.log(`FAIL  ${name}: ${error.stack ?? error}`);
+  }
+}
+
+// Two digits of the uncertainty, as the command line prints: written here again, so that it is a second opinion.
+function printed(kpi, scale = 1) {
+  const half = kpi.half_width_95 * scale;
+  const digits = Math.max(0, 1 - Math.floor(Math.log10(half)));
+  return { mean: (kpi.mean * scale).toFixed(digits), half: `± ${half.toFixed(digits)}` };
+}
+const plain = (text) => text.replace(/,/g, '');
+
+const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
+async function accessible(page, where) {
+  await page.evaluate(axe);
+  const found = await page.evaluate(() => globalThis.axe.run(document, { runOnly: ['wcag2a', 'wcag2aa'] }));
+  const grave = found.violations.filter((v) => v.impact === 'serious' || v.impact === 'critical');
+  assert.deepEqual(grave.map((v) => `${where}: ${v.id}: ${v.nodes.map((n) => n.html.slice(0, 160)).join(' | ')}`), []);
+}
+
+let current;
+let browser;
+try {
+  verstat('run', join(options.scenarios, 'heavy-lathe.json'));
+  verstat('run', join(options.scenarios, 'heavy-lathe-treated.json'));
+  verstat('optimize', join(options.scenarios, 'heavy-lathe.study.json'));
+  current = await startServer();
+  browser = await chromium.launch({
+    executablePath: options.chromium,
+    args: ['--no-sandbox', '--disable-gpu', '--disable-background-networking', '--disable-dev-shm-usage'],
+  });
+  const context = await browser.newContext({ viewport: { width: 1280, height: 800 }, locale: 'en-GB', timezoneId: 'Europe/Kyiv', acceptDownloads: true });
+  const page = await context.newPage();
+  page.setDefaultTimeout(15_000);
+  const complaints = [];
+  const outside = [];
+  const { origin } = new URL(current.url);
+  page.on('console', (m) => m.type() === 'error' && complaints.push(m.text()));
+  page.on('pageerror', (e) => complaints.push(String(e)));
+  page.on('request', (r) => !r.url().startsWith(origin) && !/^(data|blob):/.test(r.url()) && outside.push(r.url()));
+  const open = async (hash) => {
+    await page.goto(`${origin}/${hash}`);
+    await page.waitForSelector('main h1, main h2');
+  };
+  const charts = async (count) => page.waitForFunction((n) => document.querySelectorAll('.chart[data-drawn]').length >= n, count);
+  const picture = async (name) => {
+    if (!options.images) return;
+    mkdirSync(options.images, { recursive: true });
+    writeFileSync(join(options.images, `${name}.png`), await page.screenshot());
+  };
+
+  await journey('home lists runs and studies, the last finding on top', async () => {
+    await open('');
+    const study = json('--study', '1');
+    assert.equal(await page.textContent('.finding .words'), study.result.words.replaceAll('+-', '±'));
+    assert.equal(await page.locator('section:has(h2:text("Runs")) tbody tr').count(), 4);
+    await accessible(page, 'home');
+    await picture('home');
+  });
+
+  await journey('the numbers of a run are those of verstat runs --json', async () => {
+    await page.click('tbody th a[href^="#/runs/"]');
+    await page.waitForSelector('#tile-cost');
+    const id = Number(/runs\/(\d+)/.exec(page.url())?.[1]);
+    assert.ok(id > 0, page.url());
+    const run = json('--run', String(id));
+    const kpi = (name) => run.kpis.find((k) => k.name === name);
+    const tile = async (which) => ({ mean: plain(await page.textContent(`#tile-${which} .value`)), half: plain(await page.textContent(`#tile-${which} .half`)) });
+    assert.deepEqual(await tile('cost'), printed(kpi('cost_per_part')));
+    assert.deepEqual(await tile('throughput'), printed(kpi('throughput_per_h')));
+    const lowest = run.kpis.filter((k) => /^machine\/.*\/availability$/.test(k.name)).sort((a, b) => a.mean - b.mean)[0];
+    assert.deepEqual(await tile('availability'), printed(lowest, 100));
+    assert.deepEqual(await tile('failures'), printed(kpi('tool/roughing tool/failure_share'), 100));
+    const answer = await (await fetch(`${origin}/api/v1/runs/${id}?replications=1`)).json();
+    assert.deepEqual(answer, json('--run', String(id), '--all-replications'));
+    await charts(2);
+  });
+
+  await journey('states add up to 100.0 %, the cost of a part to its total', async () => {
+    await open('#/runs/1');
+    await charts(2);
+    const totals = await page.locator('section:has-text("machine’s time") tbody td:last-child').allTextContents();
+    assert.deepEqual(totals, ['100.0', '100.0']);
+    const rows = await page.locator('section:has-text("What a part costs") tbody tr').evaluateAll((all) => all.map((r) => ({ total: r.className === 'total', name: r.cells[0].textContent, amount: Math.round(100 * Number(r.cells[1].textContent)) })));
+    const end = rows.findIndex((r) => r.total);
+    assert.equal(rows.slice(0, end).reduce((sum, r) => sum + r.amount, 0), rows[end].amount);
+    await accessible(page, 'run');
+    await picture('run');
+  });
+
+  await journey('the indicator table can be filtered and saved as CSV', async () => {
+    await page.fill('#kpi-filter', 'roughing failures');
+    const names = await page.locator('section:has(#kpi-filter) tbody th').allTextContents();
+    assert.ok(names.length > 0 && names.every((n) => n.includes('roughing')), String(names));
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('button:text-is("CSV")')]);
+    const rows = readFileSync(await download.path(), 'utf8').trim().split('\r\n');
+    const run = json('--run', '1');
+    assert.equal(rows.length, run.kpis.length + 1);
+    const [name, mean] = rows[1].split(',');
+    assert.equal(name, run.kpis[0].name);
+    assert.equal(Number(mean), run.kpis[0].mean);
+  });
+
+  await journey('a study shows its finding, plan and trials', async () => {
+    await open('#/studies/1');
+    const study = json('--study', '1');
+    assert.equal(await page.textContent('#finding'), study.result.words.replaceAll('+-', '±'));
+    const rows = await page.locator('section:has-text("Best plan against today") tbody tr').evaluateAll((all) => all.map((r) => [...r.cells].map((c) => c.textContent)));
+    study.variables.forEach((v, k) => {
+      assert.equal(rows[k][0], v.name);
+      assert.equal(Number(rows[k][1]), Number(study.result.baseline.values[k].value.toPrecision(6)));
+      assert.equal(Number(rows[k][2]), Number(study.result.best.values[k].value.toPrecision(6)));
+    });
+    const best = printed(study.result.best.simulated);
+    assert.equal(rows.find((r) => r[0].includes('simulated'))[2], `${best.mean} ${best.half}`);
+    await charts(2);
+    await accessible(page, 'study');
+    await picture('study');
+  });
+
+  await journey('two runs are compared by paired differences', async () => {
+    await open('#/compare/1/2');
+    const [a, b] = [json('--run', '1', '--all-replications'), json('--run', '2', '--all-replications')];
+    const values = (run) => run.kpis.find((k) => k.name === 'cost_per_part').values;
+    const mean = values(b).reduce((sum, v, r) => sum + v - values(a)[r], 0) / values(a).length;
+    const row = await page.locator('tbody tr:has(code:text-is("cost_per_part"))').evaluate((r) => [...r.cells].map((c) => c.textContent));
+    assert.ok(Math.abs(Number(row[3].split(' ± ')[0]) - mean) < 0.006, `${row[3]} against ${mean}`);
+    assert.equal(row[5], 'lower');
+    await accessible(page, 'compare');
+  });
+
+  await journey('ticking two runs on the home page leads to their comparison', async () => {
+    await open('');
+    await page.check('input[aria-label="Tick run 1 to compare it"]');
+    await page.check('input[aria-label="Tick run 4 to compare it"]');
+    await page.click('button:has-text("Compare")');
+    await page.waitForSelector('h1:has-text("Run 4 against run 1")');
+  });
+
+  await journey('a model is found, evaluated with a decimal comma, and refuses a bad input beside its field', async () => {
+    await open('#/models');
+    await page.fill('#model-search', 'weibull moments');
+    await accessible(page, 'models');
+    await page.click('a:has-text("K117.weibull_from_moments")');
+    await page.fill('#in-mean_min', '60');
+    await page.fill('#in-cv', '0,7');
+    await page.click('button[type=submit]');
+    await page.waitForSelector('#model-note:has-text("Computed")');
+    const shown = Number(await page.textContent('output[data-output=shape]'));
+    const direct = JSON.parse(execFileSync(options.program, ['models', 'eval', 'K117.weibull_from_moments', '--inputs', '{"mean_min": 60, "cv": 0.7}'], { encoding: 'utf8' }));
+    assert.equal(shown, Number(direct.shape.toPrecision(8)));
+    await page.fill('#in-cv', '-1');
+    await page.press('#in-cv', 'Enter');
+    await page.waitForSelector('#error-cv:has-text("allowed 0.05 <= cv")');
+    assert.equal(await page.getAttribute('#in-cv', 'aria-invalid'), 'true');
+    await page.fill('#in-cv', 'much');
+    await page.press('#in-cv', 'Enter');
+    await page.waitForSelector('#error-cv:has-text("no number")');
+    await accessible(page, 'model');
+    await open('#/models/K117.part_cost');
+    await picture('model');
+  });
+  // The two refused evaluations above are reported by the browser as failed requests; nothing else may be.
+  const unexpected = complaints.splice(0).filter((c) => !/status of 422/.test(c));
+
+  await journey('Ukrainian is a full language of the pages', async () => {
+    await open('#/runs/1');
+    await page.selectOption('#top select', 'uk');
+    await page.waitForSelector('dt:has-text("Вартість деталі")');
+    assert.match(await page.textContent('#tile-cost .value'), /^\d+,\d+$/);
+    assert.equal(await page.getAttribute('html', 'lang'), 'uk');
+    await page.selectOption('#top select', 'en');
+    await page.waitForSelector('dt:has-text("Cost per part")');
+  });
+
+  await journey('dark colours and a narrow window keep everything readable', async () => {
+    await page.emulateMedia({ colorScheme: 'dark' });
+    await page.setViewportSize({ width: 768, height: 1024 });
+    await open('#/runs/1');
+    await charts(2);
+    await accessible(page, 'dark run');
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'the page scrolls sideways');
+    await open('#/studies/1');
+    await charts(2);
+    await accessible(page, 'dark study');
+    assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), 'the page scrolls sideways');
+    await page.emulateMedia({ colorScheme: 'light' });
+    await page.setViewportSize({ width: 1280, height: 800 });
+  });
+
+  await journey('a run that is not there says so and leads back', async () => {
+    await open('#/runs/999');
+    await page.waitForSelector('text=there is no run 999');
+    await page.click('text=Back to runs and studies');
+    await page.waitForSelector('h2:has-text("Runs")');
+    complaints.splice(0).filter((c) => !/status of 404/.test(c)).forEach((c) => unexpected.push(c));
+  });
+
+  await journey('nothing was asked of any other host and the browser had no complaints', async () => {
+    assert.deepEqual(outside, []);
+    assert.deepEqual([...unexpected, ...complaints], []);
+  });
+
+  await journey('a server that is ended says so on the page, and ends cleanly', async () => {
+    await open('');
+    const gone = ended(current.server);
+    current.server.kill('SIGTERM');
+    assert.equal(await gone, 0);
+    await page.click('nav a:has-text("Models")');
+    await page.waitForSelector('text=The server does not answer');
+  });
+
+  await journey('with a token the pages ask for it, refuse a wrong one and open with the right one', async () => {
+    const token = 'journeys-token-0123456789';
+    current = await startServer('--token', token);
+    const base = new URL(current.url).origin;
+    assert.equal((await fetch(`${base}/api/v1/runs`)).status, 401);
+    const stranger = await context.newPage();
+    await stranger.goto(`${base}/`);
+    await stranger.waitForSelector('text=This server asks for its token');
+    await stranger.fill('#token', 'wrong');
+    await stranger.click('button[type=submit]');
+    await stranger.waitForSelector('text=The token was refused');
+    await stranger.fill('#token', token);
+    await stranger.click('button[type=submit]');
+    await stranger.waitForSelector('h2:has-text("Runs")');
+    const guest = await context.newPage();
+    await guest.goto(current.url);
+    await guest.waitForSelector('h2:has-text("Runs")');
+    assert.ok(!guest.url().includes(token), 'the token stays in the address bar');
+    const gone = ended(current.server);
+    current.server.kill('SIGINT');
+    assert.equal(await gone, 0);
+    current = undefined;
+  });
+} catch (error) {
+  failures += 1;
+  console.log(`FAIL  setting up: ${error.stack ?? error}`);
+} finally {
+  await browser?.close();
+  current?.server.kill('SIGKILL');
+  rmSync(folder, { recursive: true, force: true });
+}
+console.log(failures === 0 ? 'all journeys passed' : `${failures} journeys failed`);
+process.exit(failures === 0 ? 0 : 1);
