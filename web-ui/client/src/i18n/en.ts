@@ -144,6 +144,7 @@ export const en = {
   'models.outputs': 'Outputs',
   'models.evaluate': 'Evaluate',
   'models.reset': 'Back to the example',
+  'models.role': 'Field',
   'models.source': 'Source',
   'models.notes': 'Notes',
   'models.default': 'default {value}',

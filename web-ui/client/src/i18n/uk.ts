@@ -146,6 +146,7 @@ export const uk: Record<Key, string> = {
   'models.outputs': 'Результати',
   'models.evaluate': 'Обчислити',
   'models.reset': 'Назад до прикладу',
+  'models.role': 'Галузь',
   'models.source': 'Джерело',
   'models.notes': 'Примітки',
   'models.default': 'типово {value}',
