@@ -9,7 +9,7 @@
 
 using nlohmann::json;
 using verstat::test::Answer;
-using verstat::test::verstat;
+using verstat::test::call;
 using verstat::test::Workspace;
 
 namespace {
@@ -36,25 +36,24 @@ TEST_CASE("the same seed gives byte-identical answers on any number of threads")
   const Workspace w;
   std::string first;
   for (const char* threads : {"1", "2", "7"}) {
-    const Answer a =
-        verstat("run " + cell + quick + "--json --threads " + threads + " --db " + w.file("a.db"));
+    const Answer a = call("run " + cell + quick + "--json --threads " + threads + " --db " + w.file("a.db"));
     REQUIRE(a.exit_code == 0);
     const std::string text = without_timings(json::parse(a.out)).dump();
     if (first.empty()) first = text;
     CHECK(text == first);
   }
-  const Answer other = verstat("run " + cell + quick + "--json --seed 7 --db " + w.file("a.db"));
+  const Answer other = call("run " + cell + quick + "--json --seed 7 --db " + w.file("a.db"));
   CHECK(without_timings(json::parse(other.out)).dump() != first);
 }
 
 TEST_CASE("what was stored is what was said") {
   const Workspace w;
-  const json said = json::parse(verstat("run " + cell + quick + "--json --db " + w.file("a.db")).out);
-  json kept = json::parse(verstat("runs --json --run " + said["id"].dump() + " --db " + w.file("a.db")).out);
+  const json said = json::parse(call("run " + cell + quick + "--json --db " + w.file("a.db")).out);
+  json kept = json::parse(call("runs --json --run " + said["id"].dump() + " --db " + w.file("a.db")).out);
   CHECK(kept == said);
-  const json all = json::parse(verstat("runs --json --run 1 --all-replications --db " + w.file("a.db")).out);
+  const json all = json::parse(call("runs --json --run 1 --all-replications --db " + w.file("a.db")).out);
   CHECK(all["kpis"][0]["values"].size() == 4);
-  CHECK(json::parse(verstat("runs --json --db " + w.file("a.db")).out)["runs"].size() == 1);
+  CHECK(json::parse(call("runs --json --db " + w.file("a.db")).out)["runs"].size() == 1);
 }
 
 TEST_CASE("malformed and absurd input: one clear line, exit code 2, no database") {
@@ -84,7 +83,7 @@ TEST_CASE("malformed and absurd input: one clear line, exit code 2, no database"
         Case{"optimize " + study + " --replications 1", "at least 2 pairs"},
         Case{"optimize " + study + " --set /parts/0/route=[]", "/parts/0/route has 0 entries"}}) {
     INFO(c.arguments);
-    const Answer a = verstat(c.arguments + db);
+    const Answer a = call(c.arguments + db);
     CHECK(a.exit_code == 2);
     CHECK(a.out.empty());
     CHECK(a.err.starts_with("error: "));
@@ -96,42 +95,41 @@ TEST_CASE("malformed and absurd input: one clear line, exit code 2, no database"
 
 TEST_CASE("bad input leaves an existing database as it was") {
   const Workspace w;
-  REQUIRE(verstat("run " + cell + quick + "--db " + w.file("a.db")).exit_code == 0);
+  REQUIRE(call("run " + cell + quick + "--db " + w.file("a.db")).exit_code == 0);
   const std::string before = verstat::test::read_file(w.file("a.db"));
-  CHECK(verstat("run " + cell + " --set /machines/0/count=0 --db " + w.file("a.db")).exit_code == 2);
-  CHECK(verstat("optimize " + study + " --set /tools/0/strategy/gamma=7 --db " + w.file("a.db")).exit_code ==
-        2);
+  CHECK(call("run " + cell + " --set /machines/0/count=0 --db " + w.file("a.db")).exit_code == 2);
+  CHECK(call("optimize " + study + " --set /tools/0/strategy/gamma=7 --db " + w.file("a.db")).exit_code == 2);
   CHECK(verstat::test::read_file(w.file("a.db")) == before);
 }
 
 TEST_CASE("a database that cannot be used is named, exit code 1") {
   const Workspace w;
-  CHECK(verstat("runs --db " + w.file("none.db")).exit_code == 1);
-  const Answer a = verstat("run " + cell + quick + "--db /no/such/folder/a.db");
+  CHECK(call("runs --db " + w.file("none.db")).exit_code == 1);
+  const Answer a = call("run " + cell + quick + "--db /no/such/folder/a.db");
   CHECK(a.exit_code == 1);
   CHECK_THAT(a.err, Catch::Contains("database /no/such/folder/a.db"));
-  const Answer b = verstat("runs --run 1 --db README.md");
+  const Answer b = call("runs --run 1 --db README.md");
   CHECK(b.exit_code == 1);
   CHECK_THAT(b.err, Catch::Contains("README.md"));
 }
 
 TEST_CASE("the study finds the published optimum and confirms the saving") {
   const Workspace w;
-  const Answer a = verstat("optimize " + study + quick + "--json --db " + w.file("a.db"));
+  const Answer a = call("optimize " + study + quick + "--json --db " + w.file("a.db"));
   REQUIRE(a.exit_code == 0);
   const json j = json::parse(a.out);
   CHECK(j["best"]["values"][0]["value"].get<double>() == Approx(0.4703).epsilon(2e-4));
   CHECK(j["best"]["values"][1]["value"].get<double>() == Approx(46.97).epsilon(2e-4));
   CHECK(j["verdict"] == "better");
   CHECK(j["saving"]["mean"].get<double>() > j["saving"]["half_width"].get<double>());
-  const json kept = json::parse(verstat("runs --study 1 --json --db " + w.file("a.db")).out);
+  const json kept = json::parse(call("runs --study 1 --json --db " + w.file("a.db")).out);
   CHECK(kept["status"] == "finished");
   CHECK(kept["result"]["words"] == j["words"]);
   CHECK(kept["trials"] == kept["trial_list"].size());
 }
 
 TEST_CASE("reference points evaluated as a batch meet their values") {
-  const Answer a = verstat("models eval --batch tests/catalogue/K117.json --source K117");
+  const Answer a = call("models eval --batch tests/catalogue/K117.json --source K117");
   REQUIRE(a.exit_code == 0);
   const json got = json::parse(a.out);
   const json points = json::parse(verstat::test::read_file("tests/catalogue/K117.json"));
@@ -157,7 +155,7 @@ TEST_CASE("a batch reports bad points one by one") {
     {"id": "bad", "function": "weibull_from_moments", "inputs": {"mean_min": -1, "cv": 1}},
     {"id": "none", "function": "no_such_function", "inputs": {}},
     7])";
-  const Answer a = verstat("models eval --source K117 --batch " + w.file("points.json"));
+  const Answer a = call("models eval --source K117 --batch " + w.file("points.json"));
   REQUIRE(a.exit_code == 0);
   const json got = json::parse(a.out);
   CHECK(got[0]["outputs"]["shape"].get<double>() == Approx(1));
@@ -168,16 +166,15 @@ TEST_CASE("a batch reports bad points one by one") {
 }
 
 TEST_CASE("one model: shown, evaluated, refused") {
-  CHECK(verstat("models show K117.part_cost").exit_code == 0);
-  CHECK(json::parse(verstat("models show K117.part_cost --json").out)["source"]["id"] == "K117");
-  const Answer good =
-      verstat(R"(models eval K117.weibull_from_moments --inputs '{"mean_min": 60, "cv": 0.7}')");
+  CHECK(call("models show K117.part_cost").exit_code == 0);
+  CHECK(json::parse(call("models show K117.part_cost --json").out)["source"]["id"] == "K117");
+  const Answer good = call(R"(models eval K117.weibull_from_moments --inputs '{"mean_min": 60, "cv": 0.7}')");
   CHECK(json::parse(good.out)["shape"].get<double>() == Approx(1.451263666).epsilon(1e-8));
-  const Answer bad = verstat(R"(models eval K117.weibull_from_moments --inputs '{"mean_min": 60, "cv": 7}')");
+  const Answer bad = call(R"(models eval K117.weibull_from_moments --inputs '{"mean_min": 60, "cv": 7}')");
   CHECK(bad.exit_code == 2);
   CHECK_THAT(bad.err, Catch::Contains("K117.weibull_from_moments: cv = 7, allowed 0.05 <= cv <= 2"));
-  CHECK(verstat("models show K117.part_coast").exit_code == 2);
-  CHECK_THAT(verstat("models show K117.part_coast").err, Catch::Contains("K117.part_cost"));
+  CHECK(call("models show K117.part_coast").exit_code == 2);
+  CHECK_THAT(call("models show K117.part_coast").err, Catch::Contains("K117.part_cost"));
 }
 
 TEST_CASE("the example at the end of every --help runs") {
@@ -185,7 +182,7 @@ TEST_CASE("the example at the end of every --help runs") {
   for (const char* command : {"", "validate", "run", "optimize", "plan", "models", "models list",
                               "models search", "models show", "models eval", "schema"}) {
     INFO(command);
-    const Answer help = verstat(std::string(command) + " --help");
+    const Answer help = call(std::string(command) + " --help");
     REQUIRE(help.exit_code == 0);
     const auto example = help.out.find("Example:");
     REQUIRE(example != std::string::npos);
@@ -197,9 +194,9 @@ TEST_CASE("the example at the end of every --help runs") {
     if (const auto redirect = line.find(" > "); redirect != std::string::npos)
       line = line.substr(0, redirect);
     const bool stores = line.starts_with("run ") || line.starts_with("optimize ");
-    if (stores)
-      line += " --db " + w.file("help.db") + " --replications 2 --set /simulation/horizon_min=20000";
-    const Answer answer = verstat(line);
+    if (stores) line += " --db " + w.file("help.db") + " --set /simulation/horizon_min=20000";
+    if (stores && line.find("--replications") == std::string::npos) line += " --replications 2";
+    const Answer answer = call(line);
     INFO(line << "\n" << answer.err);
     CHECK(answer.exit_code == 0);
     CHECK_FALSE(answer.out.empty());
@@ -207,7 +204,7 @@ TEST_CASE("the example at the end of every --help runs") {
 }
 
 TEST_CASE("talk goes to standard error without colour when NO_COLOR is set or it is no terminal") {
-  const Answer a = verstat("run none.json");
+  const Answer a = call("run none.json");
   CHECK(a.err.find('\033') == std::string::npos);
-  CHECK(verstat("--version").out.starts_with("verstat "));
+  CHECK(call("--version").out.starts_with("verstat "));
 }

@@ -19,11 +19,13 @@ struct Answer {
   std::string err;
 };
 
-/// A folder of its own for each test program, removed at the end.
+/// A folder of its own, removed at the end.
 class Workspace {
  public:
-  Workspace()
-      : path_(std::filesystem::temp_directory_path() / ("verstat-e2e-" + std::to_string(::getpid()))) {
+  Workspace() {
+    static int number = 0;
+    path_ = std::filesystem::temp_directory_path() /
+            ("verstat-e2e-" + std::to_string(::getpid()) + "-" + std::to_string(++number));
     std::filesystem::create_directories(path_);
   }
   Workspace(const Workspace&) = delete;
@@ -41,7 +43,7 @@ inline std::string read_file(const std::string& path) {
 }
 
 /// `arguments` as typed in a shell, from the root of the tree.
-inline Answer verstat(const std::string& arguments) {
+inline Answer call(const std::string& arguments) {
   static const Workspace workspace;
   const std::string err_file = workspace.file("stderr");
   const std::string line = std::string(VERSTAT_PROGRAM) + " " + arguments + " 2>" + err_file + " </dev/null";
