@@ -134,8 +134,8 @@ Forces forces(const HardTurning& spec, const PlanContext& context, CutPlan& p) {
 }
 
 /// Every pair of different slopes that can meet on the edge forbids an interval: going down by an angle the
-/// tip moves towards the trailing notch (feed), going up towards the leading one (depth). Pairs of equal slope
-/// are left out: there the guard only says that the feed is below the width of the notch.
+/// tip moves towards the trailing notch (feed), going up towards the leading one (depth). Pairs of equal
+/// slope are left out: there the guard only says that the feed is below the width of the notch.
 void forbidden_bands(const HardTurning& spec, CutPlan& p) {
   std::vector<double> down_deg;
   std::vector<double> up_deg;
@@ -249,8 +249,8 @@ CutPlan plan(const HardTurning& spec, const PlanContext& context) {
       k106::cutting_power({.p_z_n = worst.main_n, .speed_m_min = spec.cutting_speed_m_min}).power_kw;
   p.quantities.push_back({"power_kw", power_kw, "kW", "K106.cutting_power", "cutting power, worn edge"});
   if (spec.radial_force_max_n)
-    p.limits.push_back({"radial_force_n", worst.radial_n, *spec.radial_force_max_n, true, "N",
-                        "K106.hard_turning_forces"});
+    p.limits.push_back(
+        {"radial_force_n", worst.radial_n, *spec.radial_force_max_n, true, "N", "K106.hard_turning_forces"});
   deflection(spec, worst.radial_n, p);
   surface(spec, p);
   notches(spec, p);

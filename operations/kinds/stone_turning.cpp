@@ -125,8 +125,8 @@ void passes(const StoneTurning& spec, CutPlan& p) {
                                               .long_feed_mm_rev = spec.feed_mm_rev,
                                               .rpm = spec.spindle_speed_rpm});
   p.set_main_time(time.main_time_min, "K112.stone_turning_time");
-  p.quantities.push_back({"passes", static_cast<double>(time.passes), "1", "K112.stone_turning_time",
-                          "passes along the part"});
+  p.quantities.push_back(
+      {"passes", static_cast<double>(time.passes), "1", "K112.stone_turning_time", "passes along the part"});
   const double depth_mm = std::min(spec.depth_per_pass_mm, spec.allowance_per_side_mm);
   p.quantities.push_back({"removal_rate_mm3_min",
                           k112::stone_removal_rate({.work_diameter_mm = spec.diameter_mm,

@@ -1,7 +1,7 @@
 #pragma once
-// Operation kind "stone_turning": a body of revolution of natural stone, turned with a driven diamond wheel on
-// the carriage of a lathe (K112). The stone's machinability group sets the regime, the lathe decides whether
-// it can run it.
+// Operation kind "stone_turning": a body of revolution of natural stone, turned with a driven diamond wheel
+// on the carriage of a lathe (K112). The stone's machinability group sets the regime, the lathe decides
+// whether it can run it.
 
 #include "models/grinding/k112_stone_turning.h"
 #include "operations/kind.h"

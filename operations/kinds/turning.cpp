@@ -61,24 +61,24 @@ template <>
 struct StructFields<Turning> {
   static std::vector<Field> fields() {
     using S = Turning;
-    return {need<S>(&S::diameter_mm, "diameter_mm", "mm", open_low(0, 1e5), "diameter of the cut"),
-            need<S>(&S::length_mm, "length_mm", "mm", open_low(0, 1e6), "length of the cut"),
-            may<S>(&S::passes, "passes", "1", closed(1, 10'000), "number of passes"),
-            need<S>(&S::cutting_speed_m_min, "cutting_speed_m_min", "m/min", closed(0.1, 1e5),
-                    "cutting speed v_c"),
-            need<S>(&S::feed_mm_rev, "feed_mm_rev", "mm/rev", closed(1e-4, 100), "feed f"),
-            need<S>(&S::depth_of_cut_mm, "depth_of_cut_mm", "mm", closed(1e-4, 1000), "depth of cut a_p"),
-            may<S>(&S::material, "material", "-", no_range(), "work material: adds force and power"),
-            may<S>(&S::insert, "insert", "-", no_range(), "corner of the insert: adds section and roughness"),
-            may<S>(&S::heat, "heat", "-", no_range(), "heat properties: adds temperatures"),
-            may<S>(&S::force_max_n, "force_max_n", "N", open_low(0, 1e7), "largest cutting force"),
-            may<S>(&S::radial_force_max_n, "radial_force_max_n", "N", open_low(0, 1e7),
-                   "largest radial force"),
-            may<S>(&S::roughness_max_um, "roughness_max_um", "um", open_low(0, 1000), "largest Ra"),
-            may<S>(&S::scrap_above_roughness, "scrap_above_roughness", "-", no_range(),
-                   "whether a part rougher than the limit is scrap"),
-            may<S>(&S::temperature_max_c, "temperature_max_c", "degC", open_low(0, 3000),
-                   "largest mean temperature of rake and flank")};
+    return {
+        need<S>(&S::diameter_mm, "diameter_mm", "mm", open_low(0, 1e5), "diameter of the cut"),
+        need<S>(&S::length_mm, "length_mm", "mm", open_low(0, 1e6), "length of the cut"),
+        may<S>(&S::passes, "passes", "1", closed(1, 10'000), "number of passes"),
+        need<S>(&S::cutting_speed_m_min, "cutting_speed_m_min", "m/min", closed(0.1, 1e5),
+                "cutting speed v_c"),
+        need<S>(&S::feed_mm_rev, "feed_mm_rev", "mm/rev", closed(1e-4, 100), "feed f"),
+        need<S>(&S::depth_of_cut_mm, "depth_of_cut_mm", "mm", closed(1e-4, 1000), "depth of cut a_p"),
+        may<S>(&S::material, "material", "-", no_range(), "work material: adds force and power"),
+        may<S>(&S::insert, "insert", "-", no_range(), "corner of the insert: adds section and roughness"),
+        may<S>(&S::heat, "heat", "-", no_range(), "heat properties: adds temperatures"),
+        may<S>(&S::force_max_n, "force_max_n", "N", open_low(0, 1e7), "largest cutting force"),
+        may<S>(&S::radial_force_max_n, "radial_force_max_n", "N", open_low(0, 1e7), "largest radial force"),
+        may<S>(&S::roughness_max_um, "roughness_max_um", "um", open_low(0, 1000), "largest Ra"),
+        may<S>(&S::scrap_above_roughness, "scrap_above_roughness", "-", no_range(),
+               "whether a part rougher than the limit is scrap"),
+        may<S>(&S::temperature_max_c, "temperature_max_c", "degC", open_low(0, 3000),
+               "largest mean temperature of rake and flank")};
   }
 };
 
@@ -99,22 +99,22 @@ struct Section {
 Section section(const Turning& spec, CutPlan& p) {
   if (!spec.insert) return {spec.feed_mm_rev * spec.depth_of_cut_mm, spec.feed_mm_rev};
   const TurningInsert& insert = *spec.insert;
-  const auto s =
-      models::k102::uncut_chip_section({.depth_mm = spec.depth_of_cut_mm,
-                                        .feed_mm_rev = spec.feed_mm_rev,
-                                        .lead_angle_deg = insert.kr_deg,
-                                        .end_angle_deg = insert.kr1_deg,
-                                        .nose_radius_mm = insert.nose_radius_mm});
+  const auto s = models::k102::uncut_chip_section({.depth_mm = spec.depth_of_cut_mm,
+                                                   .feed_mm_rev = spec.feed_mm_rev,
+                                                   .lead_angle_deg = insert.kr_deg,
+                                                   .end_angle_deg = insert.kr1_deg,
+                                                   .nose_radius_mm = insert.nose_radius_mm});
   p.quantities.push_back({"chip_area_mm2", s.chip_area_mm2, "mm2", "K102.uncut_chip_section",
                           "cross-section of the uncut chip"});
-  p.quantities.push_back({"edge_length_mm", s.edge_length_mm, "mm", "K102.uncut_chip_section",
-                          "active length of the edge"});
-  p.quantities.push_back({"mean_chip_thickness_mm", s.mean_chip_thickness_mm, "mm",
-                          "K102.uncut_chip_section", "chip section over edge length"});
+  p.quantities.push_back(
+      {"edge_length_mm", s.edge_length_mm, "mm", "K102.uncut_chip_section", "active length of the edge"});
+  p.quantities.push_back({"mean_chip_thickness_mm", s.mean_chip_thickness_mm, "mm", "K102.uncut_chip_section",
+                          "chip section over edge length"});
   return {s.chip_area_mm2, s.mean_chip_thickness_mm};
 }
 
-/// Roughness of the turned surface; the fit is known for feeds of 0.01 to 1.5 mm/rev, and a limit asks for it.
+/// Roughness of the turned surface; the fit is known for feeds of 0.01 to 1.5 mm/rev, and a limit asks for
+/// it.
 void roughness(const Turning& spec, CutPlan& p) {
   models::k411::FittedSurface surface;
   surface.feed_mm_rev = spec.feed_mm_rev;
@@ -125,8 +125,8 @@ void roughness(const Turning& spec, CutPlan& p) {
   if (!fitted && !spec.roughness_max_um) return;
   const auto fit = models::k411::turning_ra(surface);
   p.quantities.push_back({"roughness_ra_um", fit.ra_um, "um", "K411.turning_ra", "Ra of the turned surface"});
-  p.quantities.push_back({"profile_height_um", fit.height_um, "um", "K411.turning_ra",
-                          "theoretical height of the profile"});
+  p.quantities.push_back(
+      {"profile_height_um", fit.height_um, "um", "K411.turning_ra", "theoretical height of the profile"});
   if (!spec.roughness_max_um) return;
   models::k411::LimitedSurface limited;
   static_cast<models::k411::TurnedSurface&>(limited) = surface;
@@ -135,8 +135,7 @@ void roughness(const Turning& spec, CutPlan& p) {
   p.quantities.push_back({"roughness_exceed_probability", exceeding, "1", "K411.ra_exceed_probability",
                           "share of parts rougher than the limit"});
   if (spec.scrap_above_roughness) p.scrap_probability = exceeding;
-  p.limits.push_back(
-      {"roughness_ra_um", fit.ra_um, *spec.roughness_max_um, true, "um", "K411.turning_ra"});
+  p.limits.push_back({"roughness_ra_um", fit.ra_um, *spec.roughness_max_um, true, "um", "K411.turning_ra"});
 }
 
 /// Handbook force components; their material factor is the strength over 750 MPa, as the card's authors
@@ -170,8 +169,8 @@ void force_and_power(const Turning& spec, const PlanContext& context, CutPlan& p
   const Section chip = section(spec, p);
   const double shape =
       spec.insert ? models::k102::rake_shape_force({spec.insert->rake_shape}).factor_pz : 1.0;
-  const double force_n =
-      spec.material->kc11_n_mm2 * chip.area_mm2 * std::pow(chip.mean_thickness_mm, -spec.material->mc) * shape;
+  const double force_n = spec.material->kc11_n_mm2 * chip.area_mm2 *
+                         std::pow(chip.mean_thickness_mm, -spec.material->mc) * shape;
   const double power_kw =
       models::k102::turning_power({.pz_n = force_n, .speed_m_min = spec.cutting_speed_m_min}).power_kw;
   const double torque_nm = force_n * spec.diameter_mm / 2000;

@@ -14,8 +14,8 @@ namespace verstat::operations {
 
 /// Specific cutting force of the work material, and its strength. COMPLETION (textbook).
 struct TurningMaterial {
-  double kc11_n_mm2 = 2000;                     ///< k_c1.1, of a chip 1 mm thick and 1 mm wide
-  double mc = 0.25;                             ///< exponent of the chip thickness
+  double kc11_n_mm2 = 2000;                    ///< k_c1.1, of a chip 1 mm thick and 1 mm wide
+  double mc = 0.25;                            ///< exponent of the chip thickness
   std::optional<double> tensile_strength_mpa;  ///< adds the handbook's force components
 };
 
@@ -54,12 +54,12 @@ struct Turning {
   double depth_of_cut_mm = 0;
   std::optional<TurningMaterial> material;
   std::optional<TurningInsert> insert;
-  std::optional<TurningHeat> heat;                 ///< needs material
-  std::optional<double> force_max_n;               ///< on the cutting force; needs material
-  std::optional<double> radial_force_max_n;        ///< needs insert and the material's strength
-  std::optional<double> roughness_max_um;          ///< on Ra; needs insert
-  bool scrap_above_roughness = false;              ///< parts above roughness_max_um are scrap
-  std::optional<double> temperature_max_c;         ///< on the mean of the contacts; needs heat
+  std::optional<TurningHeat> heat;           ///< needs material
+  std::optional<double> force_max_n;         ///< on the cutting force; needs material
+  std::optional<double> radial_force_max_n;  ///< needs insert and the material's strength
+  std::optional<double> roughness_max_um;    ///< on Ra; needs insert
+  bool scrap_above_roughness = false;        ///< parts above roughness_max_um are scrap
+  std::optional<double> temperature_max_c;   ///< on the mean of the contacts; needs heat
 };
 
 /// Throws models::ModelError for values outside the models' ranges, models::DomainError for a limit on a
