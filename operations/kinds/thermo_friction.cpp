@@ -66,12 +66,13 @@ void within(CutPlan& p, const char* low_name, const char* high_name, double valu
 /// The regimes that were tried; between the two bands of width nothing is known.
 void envelope(const ThermoFriction& spec, double width_mm, CutPlan& p) {
   const bool narrow = width_mm <= k305::published_ranges({k305::Quantity::width_low_band}).high;
-  within(p, "depth_min_mm", "depth_max_mm", spec.depth_of_cut_mm, k305::Quantity::depth, "mm");
-  within(p, "spindle_speed_min_rpm", "spindle_speed_max_rpm", spec.spindle_speed_rpm, k305::Quantity::spindle,
-         "rpm");
-  within(p, "width_min_mm", "width_max_mm", width_mm,
+  within(p, "published_depth_min_mm", "published_depth_max_mm", spec.depth_of_cut_mm, k305::Quantity::depth,
+         "mm");
+  within(p, "published_spindle_speed_min_rpm", "published_spindle_speed_max_rpm", spec.spindle_speed_rpm,
+         k305::Quantity::spindle, "rpm");
+  within(p, "published_width_min_mm", "published_width_max_mm", width_mm,
          narrow ? k305::Quantity::width_low_band : k305::Quantity::width_high_band, "mm");
-  within(p, "feed_min_mm_min", "feed_max_mm_min", spec.feed_mm_min,
+  within(p, "published_feed_min_mm_min", "published_feed_max_mm_min", spec.feed_mm_min,
          narrow ? k305::Quantity::feed_low_band : k305::Quantity::feed_high_band, "mm/min");
   const int inside = k305::regime_in_envelope({.width_mm = width_mm,
                                                .depth_mm = spec.depth_of_cut_mm,
@@ -110,7 +111,7 @@ void power(const ThermoFriction& spec, const PlanContext& context, double width_
   if (!spec.specific_energy_j_mm3) return;
   p.quantities.push_back({"power_kw", removal.power_kw, "kW", origin, "cutting power"});
   p.limits.push_back(
-      {"power_kw", removal.power_kw, spec.drive_power_kw * spec.efficiency, true, "kW", origin});
+      {"drive_power_kw", removal.power_kw, spec.drive_power_kw * spec.efficiency, true, "kW", origin});
   limit_power(p, context, removal.power_kw / spec.efficiency, origin);
 }
 
