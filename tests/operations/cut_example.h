@@ -5,6 +5,7 @@
 
 #include <catch2/catch.hpp>
 
+#include "operations/fields.h"
 #include "operations/kind.h"
 #include "scenarios/load.h"
 #include "scenarios/model_json.h"

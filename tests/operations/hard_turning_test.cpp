@@ -168,8 +168,8 @@ TEST_CASE("hard turning: bad specifications are named") {
   t.length_between_centres_mm.reset();
   CHECK(planning_error(t) == "deflection_max_um = 60, needs the member \"length_between_centres_mm\"");
   t = example();
-  t.insert_radius_mm = 0.1;
-  CHECK(planning_error(t).find("r = 0.1, allowed 2 <= r <= 16") != std::string::npos);
+  t.insert_radius_mm = 1;
+  CHECK(planning_error(t).find("r = 1, allowed 2 <= r <= 16") != std::string::npos);
   t = example();
   t.least_concave_radius_mm = 3;
   CHECK_FALSE(limit_of(plan(t, {}), "least_concave_radius_mm").met());
