@@ -252,6 +252,27 @@ void profile_error(const RollMachining& spec, double curvature_radius_mm, CutPla
     p.limits.push_back({"chord_error_um", error_um, *spec.chord_error_max_um, true, "um", origin});
 }
 
+/// Constant surface speed: slowest on the blank, fastest at the throat or where facing ends.
+void spindle_speeds(const RollMachining& spec, const PlanContext& context, CutPlan& p) {
+  const auto rpm = [](double speed_m_min, double diameter_mm, double cap_rpm) {
+    // At the centre of a face the speed is the cap.
+    return std::min(cap_rpm, 1000 * speed_m_min / (std::numbers::pi * std::max(diameter_mm, 1e-9)));
+  };
+  const double rough_m_min = spec.rough.cutting_speed_m_min;
+  const double finish_m_min = spec.finish.cutting_speed_m_min;
+  const double face_m_min = spec.facing.cut.cutting_speed_m_min;
+  double highest_rpm = std::max(rpm(rough_m_min, spec.throat_diameter_mm, spec.spindle_speed_max_rpm),
+                                rpm(finish_m_min, spec.throat_diameter_mm, spec.finish_speed_max_rpm));
+  double lowest_rpm = std::min(rpm(rough_m_min, spec.blank_diameter_mm, spec.spindle_speed_max_rpm),
+                               rpm(finish_m_min, spec.blank_diameter_mm, spec.finish_speed_max_rpm));
+  if (spec.facing.allowance_mm > 0) {
+    highest_rpm =
+        std::max(highest_rpm, rpm(face_m_min, spec.facing.inner_diameter_mm, spec.spindle_speed_max_rpm));
+    lowest_rpm = std::min(lowest_rpm, rpm(face_m_min, spec.blank_diameter_mm, spec.spindle_speed_max_rpm));
+  }
+  limit_spindle_speed(p, context, lowest_rpm, highest_rpm, "definition");
+}
+
 }  // namespace
 
 CutPlan plan(const RollMachining& spec, const PlanContext& context) {
@@ -298,11 +319,7 @@ CutPlan plan(const RollMachining& spec, const PlanContext& context) {
     if (context.edge != nullptr)  // the roughing edge: it does nearly all of the turning
       p.edge = taylor_life(*context.edge, spec.rough.cutting_speed_m_min, spec.rough.feed_mm_rev,
                            spec.rough.depth_max_mm);
-    limit_spindle_speed(
-        p, context,
-        std::min(spec.spindle_speed_max_rpm,
-                 1000 * spec.rough.cutting_speed_m_min / (std::numbers::pi * spec.throat_diameter_mm)),
-        "definition");
+    spindle_speeds(spec, context, p);
   }
   return p;
 }

@@ -149,6 +149,8 @@ void consumption(const StoneTurning& spec, CutPlan& p) {
                                               .usable_fraction = wheel.usable_fraction,
                                               .grinding_ratio = wheel.grinding_ratio,
                                               .stone_volume_per_part_mm3 = stone_mm3});
+  models::require(life.parts_per_wheel > 0, "wheel/grinding_ratio", wheel.grinding_ratio,
+                  "must leave something to wear: ratio, concentration and usable share above 0");
   constexpr const char* origin = "K112.diamond_wheel_life";
   p.quantities.push_back({"stone_volume_mm3", stone_mm3, "mm3", "definition", "stone removed from a part"});
   p.quantities.push_back({"parts_per_wheel", life.parts_per_wheel, "1", origin, "parts that a wheel lasts"});

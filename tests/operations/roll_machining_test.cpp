@@ -114,6 +114,22 @@ TEST_CASE("roll machining: the NC program runs along the contour that leaves the
   CHECK(throat);
 }
 
+TEST_CASE("roll machining: facing to the centre runs at the cap, facing to a bore does not") {
+  RollMachining r = example();
+  MachineLimits machine;
+  machine.spindle_speed_max_rpm = 700;
+  machine.spindle_speed_min_rpm = 100;
+  const PlanContext context{.machine = &machine};
+  CHECK(limit_of(plan(r, context), "spindle_speed_max_rpm").value == 800);
+  CHECK_FALSE(plan(r, context).feasible());
+  r.facing.inner_diameter_mm = 100;
+  CHECK(limit_of(plan(r, context), "spindle_speed_max_rpm").value ==
+        Approx(90'000 / (3.14159265358979 * 100)));
+  CHECK(limit_of(plan(r, context), "spindle_speed_min_rpm").value ==
+        Approx(90'000 / (3.14159265358979 * 265)));
+  CHECK(plan(r, context).feasible());
+}
+
 TEST_CASE("roll machining: more points, less chord error") {
   RollMachining r = example();
   CHECK(limit_of(plan(r, {}), "chord_error_um").value == Approx(1000 * 4.0 / (8 * 420)));
