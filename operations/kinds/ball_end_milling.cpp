@@ -62,6 +62,8 @@ namespace k406 = models::k406;
 namespace {
 
 constexpr double smallest_feed_mm = 0.04;  // of the explored box
+// The largest feed meets its force limit to rounding: a hair above the limit is met.
+constexpr double rounding = 1 + 1e-9;
 
 struct ToolForce {
   double feed_n = 0, normal_n = 0, axial_n = 0;
@@ -266,9 +268,12 @@ CutPlan plan(const BallEndMilling& spec, const PlanContext& context) {
                          const char* unit, const char* origin) {
     if (allowed) p.limits.push_back({name, value, *allowed, true, unit, origin});
   };
-  limit("feed_force_n", most.force.feed_n, spec.feed_force_max_n, "N", force_origin);
-  limit("axial_force_n", most.force.axial_n, spec.axial_force_max_n, "N", force_origin);
-  limit("normal_force_n", most.force.normal_n, spec.normal_force_max_n, "N", force_origin);
+  const auto force_limit = [&](const char* name, double value_n, const std::optional<double>& allowed_n) {
+    if (allowed_n) p.limits.push_back({name, value_n, *allowed_n * rounding, true, "N", force_origin});
+  };
+  force_limit("feed_force_n", most.force.feed_n, spec.feed_force_max_n);
+  force_limit("axial_force_n", most.force.axial_n, spec.axial_force_max_n);
+  force_limit("normal_force_n", most.force.normal_n, spec.normal_force_max_n);
   limit("form_error_um", most.form_error_um, spec.form_error_max_um, "um",
         "COMPLETION: bending along the normal");
   limit("scallop_um", scallop_um, spec.scallop_max_um, "um", "K401.ball_finishing_rates");

@@ -87,6 +87,20 @@ TEST_CASE("ball-end milling: patchwise is never slower than constant and keeps t
       patch.inclination_deg = *rc::gen::inRange(0, 91);
     }
     const CutPlan patchwise = plan(spec, gallery.context());
+    bool any_feed_keeps = true;
+    for (const SurfacePatch& patch : spec.patches) {
+      models::k401::LimitedCut cut;
+      static_cast<models::k401::CutWidth&>(cut) = {spec.spindle_speed_rpm, patch.depth_mm, spec.step_over_mm,
+                                                   spec.relief_deg, spec.hardness_hrc};
+      cut.px_max_n = *spec.feed_force_max_n;
+      cut.py_max_n = *spec.axial_force_max_n;
+      cut.pz_max_n = *spec.normal_force_max_n;
+      any_feed_keeps = any_feed_keeps && models::k401::max_feed_for_force_limits(cut).feasible;
+    }
+    RC_CLASSIFY(any_feed_keeps);
+    for (const char* force : {"feed_force_n", "axial_force_n", "normal_force_n"})
+      RC_ASSERT(!any_feed_keeps || margin_of(patchwise, force) >= 0);
+    RC_ASSERT(any_feed_keeps || !patchwise.feasible());
     spec.feed = BallFeed::constant;
     RC_ASSERT(patchwise.main_time_min <= plan(spec, gallery.context()).main_time_min * (1 + 1e-12));
     RC_ASSERT(*patchwise.value_of("form_error_um") <= *patchwise.value_of("deflection_um") * (1 + 1e-12));
