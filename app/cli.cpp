@@ -1,8 +1,5 @@
 #include "app/cli.h"
 
-#include <gnu/libc-version.h>
-#include <unistd.h>
-
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
@@ -11,6 +8,8 @@
 
 #include <fmt/chrono.h>
 #include <fmt/format.h>
+#include <gnu/libc-version.h>
+#include <unistd.h>
 
 #include "app/version.h"
 #include "models/catalogue/error.h"
@@ -31,7 +30,9 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
   command.add_option("--seed", options.seed, "seed of all random streams, 0 to 18446744073709551615");
   command.add_option("--replications", options.replications, "independent repetitions, 1 to 100000");
   command.add_option("--threads", options.threads, "threads to use (results do not depend on it)");
-  command.add_option("--set", options.set, "change one value: POINTER=VALUE, for instance /machines/0/count=3; may be repeated")
+  command
+      .add_option("--set", options.set,
+                  "change one value: POINTER=VALUE, for instance /machines/0/count=3; may be repeated")
       ->allow_extra_args(false);
 }
 
@@ -43,7 +44,8 @@ Number whole(const std::string& flag, const std::string& text, Number low, Numbe
   Number value{};
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || stop != text.data() + text.size() || value < low || value > high)
-    throw UsageError(fmt::format("{} {}: must be a whole number from {} to {}", flag, text.substr(0, 100), low, high));
+    throw UsageError(
+        fmt::format("{} {}: must be a whole number from {} to {}", flag, text.substr(0, 100), low, high));
   return value;
 }
 
@@ -60,7 +62,8 @@ std::vector<Change> changes_of(const CommonOptions& options) {
   const auto setting = [&](const char* member, nlohmann::json value) {
     changes.push_back({fmt::format("/simulation/{}", member), std::move(value)});
   };
-  if (!options.seed.empty()) setting("seed", std::to_string(whole<std::uint64_t>("--seed", options.seed, 0, UINT64_MAX)));
+  if (!options.seed.empty())
+    setting("seed", std::to_string(whole<std::uint64_t>("--seed", options.seed, 0, UINT64_MAX)));
   if (!options.replications.empty())
     setting("replications", whole<std::int64_t>("--replications", options.replications, 1, 100'000));
   return changes;
@@ -78,7 +81,8 @@ LoadedScenario load_scenario(const std::string& file, const std::vector<Change>&
     loaded.text = scenarios::read_text_file(file);
     loaded.json = scenarios::parse_json(loaded.text);
     // --seed works on a scenario without settings, too.
-    if (loaded.json.is_object() && !loaded.json.contains("simulation")) loaded.json["simulation"] = nlohmann::json::object();
+    if (loaded.json.is_object() && !loaded.json.contains("simulation"))
+      loaded.json["simulation"] = nlohmann::json::object();
     loaded.json = scenarios::apply(std::move(loaded.json), changes);
     loaded.scenario = scenarios::load(loaded.json);
   } catch (const InputError& e) {
@@ -112,10 +116,12 @@ int run_program(int argc, char** argv) {
   program.name("verstat");
   program.set_version_flag("--version", std::string("verstat ") + VERSTAT_VERSION);
   program.require_subcommand(1);
-  program.footer("Example:\n  verstat run scenarios/gallery/heavy-lathe.json --set /tools/0/strategy/gamma=0.47");
+  program.footer(
+      "Example:\n  verstat run scenarios/gallery/heavy-lathe.json --set /tools/0/strategy/gamma=0.47");
   add_validate(program);
   add_run(program);
   add_optimize(program);
+  add_plan(program);
   add_models(program);
   add_runs(program);
   add_serve(program);

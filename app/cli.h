@@ -18,8 +18,8 @@ namespace verstat::app {
 /// Exit codes of the program.
 enum ExitCode : int {
   success = 0,
-  failure = 1,     ///< something went wrong that no better input would mend
-  bad_input = 2,   ///< a file, flag, pointer or value is wrong; nothing was done
+  failure = 1,    ///< something went wrong that no better input would mend
+  bad_input = 2,  ///< a file, flag, pointer or value is wrong; nothing was done
   interrupted = 130
 };
 
@@ -44,17 +44,19 @@ void add_run_options(CLI::App& command, CommonOptions& options);
 
 /// Threads to use: --threads, else as many as the machine has. Throws UsageError.
 [[nodiscard]] int thread_count(const CommonOptions& options);
-/// The changes of --set, then --seed and --replications as changes of the simulation settings. Throws InputError.
+/// The changes of --set, then --seed and --replications as changes of the simulation settings. Throws
+/// InputError.
 [[nodiscard]] std::vector<scenarios::Change> changes_of(const CommonOptions& options);
 [[nodiscard]] std::string changes_text(const std::vector<scenarios::Change>& changes);
 
 /// A scenario file with the changes made and checked. Errors name the file.
 struct LoadedScenario {
-  std::string text;      ///< of the file
-  nlohmann::json json;   ///< with the changes
+  std::string text;     ///< of the file
+  nlohmann::json json;  ///< with the changes
   scenarios::Scenario scenario;
 };
-[[nodiscard]] LoadedScenario load_scenario(const std::string& file, const std::vector<scenarios::Change>& changes);
+[[nodiscard]] LoadedScenario load_scenario(const std::string& file,
+                                           const std::vector<scenarios::Change>& changes);
 
 /// Program version, and processor and C library (results agree bit for bit where both are the same).
 [[nodiscard]] store::Provenance provenance();
@@ -66,6 +68,7 @@ void add_optimize(CLI::App& program);
 void add_models(CLI::App& program);
 void add_runs(CLI::App& program);
 void add_schema(CLI::App& program);
+void add_plan(CLI::App& program);
 void add_serve(CLI::App& program);
 
 /// Runs the whole program; returns its exit code.

@@ -1,3 +1,5 @@
 #include "app/cli.h"
 
-int main(int argc, char** argv) { return verstat::app::run_program(argc, argv); }
+int main(int argc, char** argv) {
+  return verstat::app::run_program(argc, argv);
+}

@@ -22,7 +22,8 @@ using nlohmann::json;
 using nlohmann::ordered_json;
 
 std::string lower(std::string text) {
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
   return text;
 }
 
@@ -49,8 +50,8 @@ void list(const std::string& source_id, const std::vector<std::string>& words, b
   } else if (!any) {
     fmt::print("no function matches\n");
   } else if (words.empty() && source_id.empty()) {
-    fmt::print("\n{} functions from {} sources; `verstat models show KEY` explains one\n", models::catalogue().function_count(),
-               models::catalogue().sources().size());
+    fmt::print("\n{} functions from {} sources; `verstat models show KEY` explains one\n",
+               models::catalogue().function_count(), models::catalogue().sources().size());
   }
 }
 
@@ -60,8 +61,10 @@ void show_fields(const char* head, const std::vector<Field>& fields, bool input)
     std::string allowed;
     const auto kind = f.access->type_info().kind;
     using Kind = models::TypeInfo::Kind;
-    if (kind == Kind::number || kind == Kind::integer) allowed = f.range.text(f.name);
-    else allowed = f.access->type();
+    if (kind == Kind::number || kind == Kind::integer)
+      allowed = f.range.text(f.name);
+    else
+      allowed = f.access->type();
     fmt::print("  {:<26} {:<10} {}\n", f.name, f.unit == "1" || f.unit == "-" ? "" : f.unit, f.meaning);
     fmt::print("  {:<26} {:<10}   {}", "", "", allowed);
     if (input && !f.required) fmt::print("; default {}", f.default_value.to_string());
@@ -76,8 +79,8 @@ void show(const std::string& key, bool as_json) {
     fmt::print("{}\n", scenarios::function_json(source, f, true).dump(2));
     return;
   }
-  fmt::print("{}\n{}\n\n{} {}, {}: {}\n{}\n\n", f.key, f.summary, source.info().id, f.equation, models::to_string(f.provenance),
-             source.info().authors, source.info().published);
+  fmt::print("{}\n{}\n\n{} {}, {}: {}\n{}\n\n", f.key, f.summary, source.info().id, f.equation,
+             models::to_string(f.provenance), source.info().authors, source.info().published);
   show_fields("inputs", f.inputs, true);
   show_fields("outputs", f.outputs, false);
   for (const std::string& note : f.notes) fmt::print("note: {}\n", note);
@@ -91,7 +94,8 @@ std::string read_all(const std::string& file) {
   return {std::istreambuf_iterator<char>(std::cin), std::istreambuf_iterator<char>()};
 }
 
-void evaluate(const std::string& key, const std::string& inputs, const std::string& batch, const std::string& source) {
+void evaluate(const std::string& key, const std::string& inputs, const std::string& batch,
+              const std::string& source) {
   if (!batch.empty()) {
     if (!key.empty()) throw UsageError(fmt::format("--batch {}: takes no KEY beside it", batch));
     try {
@@ -134,13 +138,15 @@ void add_models(CLI::App& program) {
   list_command->footer("Example:\n  verstat models list --source K117");
   list_command->callback([=] { list(*source, {}, *as_json); });
 
-  CLI::App* search_command = command->add_subcommand("search", "List the functions whose description has all these words");
+  CLI::App* search_command =
+      command->add_subcommand("search", "List the functions whose description has all these words");
   search_command->add_option("WORD", *words, "words to look for")->required();
   search_command->add_flag("--json", *as_json, "print JSON");
   search_command->footer("Example:\n  verstat models search insert availability");
   search_command->callback([=] { list("", *words, *as_json); });
 
-  CLI::App* show_command = command->add_subcommand("show", "Explain one function: source, inputs, outputs, example");
+  CLI::App* show_command =
+      command->add_subcommand("show", "Explain one function: source, inputs, outputs, example");
   show_command->add_option("KEY", *key, "for instance K117.part_cost")->required();
   show_command->add_flag("--json", *as_json, "print JSON");
   show_command->footer("Example:\n  verstat models show K117.part_cost");
@@ -149,12 +155,14 @@ void add_models(CLI::App& program) {
   CLI::App* eval_command = command->add_subcommand("eval", "Evaluate one function, or a file of points");
   eval_command->add_option("KEY", *key, "for instance K117.part_cost");
   eval_command->add_option("--inputs", *inputs, "named inputs as a JSON object")->capture_default_str();
-  eval_command->add_option("--batch", *batch, R"(file with [{"id", "function", "inputs"}...], or - for standard input)");
+  eval_command->add_option("--batch", *batch,
+                           R"(file with [{"id", "function", "inputs"}...], or - for standard input)");
   eval_command->add_option("--source", *source, "put before function names without one, for instance K117");
   eval_command->add_flag("--json", *as_json, "the answer is JSON anyway");
   eval_command->footer(
       "Example:\n  verstat models eval K117.weibull_from_moments --inputs '{\"mean_min\": 60, \"cv\": 0.7}'\n"
-      "A batch prints [{\"id\", \"outputs\"} or {\"id\", \"error\"}...]; a bad point never stops the others.");
+      "A batch prints [{\"id\", \"outputs\"} or {\"id\", \"error\"}...]; a bad point never stops the "
+      "others.");
   eval_command->callback([=] { evaluate(*key, *inputs, *batch, *source); });
 }
 

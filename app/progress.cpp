@@ -1,10 +1,9 @@
 #include "app/progress.h"
 
-#include <unistd.h>
-
 #include <cstdlib>
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 namespace verstat::app {
 
@@ -26,13 +25,15 @@ void ProgressBar::update(std::int64_t done, std::int64_t of) {
     if (done < of && now - last_ < std::chrono::milliseconds(100)) return;
     last_ = now;
     const int filled = static_cast<int>(share * 30);
-    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {}/{}  {:.0f} s left", what_, "", filled, "", 30 - filled, done, of, left_s);
+    fmt::print(stderr, "\r\033[K{} [{:#<{}}{:.<{}}] {}/{}  {:.0f} s left", what_, "", filled, "", 30 - filled,
+               done, of, left_s);
     open_ = true;
     return;
   }
   // Short work needs no news.
   const int tenth = static_cast<int>(share * 10);
-  if (tenth > tenth_ && elapsed_s > 2) fmt::print(stderr, "{}: {} of {}, {:.0f} s left\n", what_, done, of, left_s);
+  if (tenth > tenth_ && elapsed_s > 2)
+    fmt::print(stderr, "{}: {} of {}, {:.0f} s left\n", what_, done, of, left_s);
   tenth_ = std::max(tenth_, tenth);
 }
 

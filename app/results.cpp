@@ -7,7 +7,8 @@
 namespace verstat::app {
 
 store::Run record_of(const shop::RunResult& result, const LoadedScenario& loaded,
-                     const std::vector<scenarios::Change>& changes, const std::string& label, double elapsed_s) {
+                     const std::vector<scenarios::Change>& changes, const std::string& label,
+                     double elapsed_s) {
   store::Run run;
   const scenarios::Scenario& s = loaded.scenario;
   run.header = {.label = label,
@@ -42,17 +43,20 @@ std::string shown(const std::optional<double>& mean, const std::optional<double>
 }
 
 void print_run(const store::Run& run) {
-  fmt::print("{}\n{} replications of {:g} min after {:g} min warm-up, seed {}; +- is the half-width at 95 %\n\n",
-             run.header.scenario_name, run.header.replications, run.header.horizon_min - run.header.warmup_min,
-             run.header.warmup_min, run.header.seed);
+  fmt::print(
+      "{}\n{} replications of {:g} min after {:g} min warm-up, seed {}; +- is the half-width at 95 %\n\n",
+      run.header.scenario_name, run.header.replications, run.header.horizon_min - run.header.warmup_min,
+      run.header.warmup_min, run.header.seed);
   std::string group;
   for (const store::KpiSummary& kpi : run.kpis) {
     const auto slash = kpi.kpi.name.rfind('/');
     const std::string head = slash == std::string::npos ? "" : kpi.kpi.name.substr(0, slash);
     if (head != group) fmt::print("{}\n", head);
     group = head;
-    const std::string name = slash == std::string::npos ? kpi.kpi.name : "  " + kpi.kpi.name.substr(slash + 1);
-    fmt::print("{:<28} {:>24}  {}\n", name, shown(kpi.mean, kpi.half_width), kpi.kpi.unit == "1" ? "" : kpi.kpi.unit);
+    const std::string name =
+        slash == std::string::npos ? kpi.kpi.name : "  " + kpi.kpi.name.substr(slash + 1);
+    fmt::print("{:<28} {:>24}  {}\n", name, shown(kpi.mean, kpi.half_width),
+               kpi.kpi.unit == "1" ? "" : kpi.kpi.unit);
   }
 }
 

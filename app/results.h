@@ -12,7 +12,8 @@ namespace verstat::app {
 
 /// The record of a run. `scenario_text` is the file as it stands, `changes` what was changed in it.
 [[nodiscard]] store::Run record_of(const shop::RunResult& result, const LoadedScenario& loaded,
-                                   const std::vector<scenarios::Change>& changes, const std::string& label, double elapsed_s);
+                                   const std::vector<scenarios::Change>& changes, const std::string& label,
+                                   double elapsed_s);
 /// "125.87 +- 0.21"; "-" where there is no value.
 [[nodiscard]] std::string shown(const std::optional<double>& mean, const std::optional<double>& half_width);
 /// The run as tables: headline KPIs, machine times, tools, cost by component.

@@ -22,7 +22,8 @@ void add_run(CLI::App& program) {
   add_db(*command, *options);
   add_run_options(*command, *options);
   command->footer(
-      "Example:\n  verstat run scenarios/gallery/heavy-lathe.json --set /tools/0/strategy/gamma=0.47 --replications 10\n"
+      "Example:\n  verstat run scenarios/gallery/heavy-lathe.json --set /tools/0/strategy/gamma=0.47 "
+      "--replications 10\n"
       "Every mean comes with the half-width of its 95 % confidence interval.");
   command->callback([options, file, label] {
     const auto changes = changes_of(*options);
@@ -32,7 +33,8 @@ void add_run(CLI::App& program) {
     shop::RunResult result;
     {
       ProgressBar bar("replications");
-      result = shop::run_scenario(loaded.scenario, threads, [&](std::int64_t done, std::int64_t of) { bar.update(done, of); });
+      result = shop::run_scenario(loaded.scenario, threads,
+                                  [&](std::int64_t done, std::int64_t of) { bar.update(done, of); });
     }
     const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     store::Run run = record_of(result, loaded, changes, *label, elapsed_s);

@@ -14,7 +14,8 @@ void list_all(const store::Reader& reader, bool json) {
   const auto runs = reader.runs();
   const auto studies = reader.studies();
   if (json) {
-    nlohmann::ordered_json answer = {{"runs", nlohmann::ordered_json::array()}, {"studies", nlohmann::ordered_json::array()}};
+    nlohmann::ordered_json answer = {{"runs", nlohmann::ordered_json::array()},
+                                     {"studies", nlohmann::ordered_json::array()}};
     for (const auto& run : runs) answer["runs"].push_back(store::to_json(run));
     for (const auto& study : studies) answer["studies"].push_back(store::to_json(study));
     fmt::print("{}\n", answer.dump(2));
@@ -22,8 +23,10 @@ void list_all(const store::Reader& reader, bool json) {
   }
   fmt::print("{:>5}  {:<20}  {:<24}  {:>4}  {}\n", "run", "created", "label", "reps", "scenario");
   for (const auto& r : runs)
-    fmt::print("{:>5}  {:<20}  {:<24}  {:>4}  {}\n", r.id, r.provenance.created, r.label, r.replications, r.scenario_name);
-  if (!studies.empty()) fmt::print("\n{:>5}  {:<20}  {:<10}  {:>6}  {}\n", "study", "created", "status", "trials", "name");
+    fmt::print("{:>5}  {:<20}  {:<24}  {:>4}  {}\n", r.id, r.provenance.created, r.label, r.replications,
+               r.scenario_name);
+  if (!studies.empty())
+    fmt::print("\n{:>5}  {:<20}  {:<10}  {:>6}  {}\n", "study", "created", "status", "trials", "name");
   for (const auto& s : studies)
     fmt::print("{:>5}  {:<20}  {:<10}  {:>6}  {}\n", s.id, s.provenance.created, s.status, s.trials, s.name);
 }
@@ -38,7 +41,8 @@ void add_runs(CLI::App& program) {
   CLI::App* command = program.add_subcommand("runs", "List stored runs and studies, or show one");
   command->add_option("--run", *run_id, "show this run");
   command->add_option("--study", *study_id, "show this study");
-  command->add_flag("--all-replications", *replications, "with --run --json: the values of every replication");
+  command->add_flag("--all-replications", *replications,
+                    "with --run --json: the values of every replication");
   add_json(*command, *options);
   add_db(*command, *options);
   command->footer("Example:\n  verstat runs --db verstat.db --run 1");
@@ -54,7 +58,8 @@ void add_runs(CLI::App& program) {
       }
     } else if (*study_id != 0) {
       const auto study = reader.study(*study_id);
-      if (!study) throw UsageError(fmt::format("--study {}: there is no such study in {}", *study_id, options->db));
+      if (!study)
+        throw UsageError(fmt::format("--study {}: there is no such study in {}", *study_id, options->db));
       fmt::print("{}\n", store::to_json(*study).dump(2));
     } else {
       list_all(reader, options->json);

@@ -12,7 +12,8 @@ void add_validate(CLI::App& program) {
   command->add_option("SCENARIO", *file, "scenario file (JSON)")->required();
   add_json(*command, *options);
   add_run_options(*command, *options);
-  command->footer("Example:\n  verstat validate scenarios/gallery/heavy-lathe.json --set /machines/0/count=3");
+  command->footer(
+      "Example:\n  verstat validate scenarios/gallery/heavy-lathe.json --set /machines/0/count=3");
   command->callback([options, file] {
     const LoadedScenario loaded = load_scenario(*file, changes_of(*options));
     const scenarios::Scenario& s = loaded.scenario;
@@ -28,8 +29,8 @@ void add_validate(CLI::App& program) {
                                              {"operations", s.operations.size()}};
       fmt::print("{}\n", answer.dump(2));
     } else {
-      fmt::print("{} is valid: \"{}\", {} machines, {} tools, {} crews, {} part types\n", *file, s.name, machines,
-                 s.tools.size(), s.crews.size(), s.parts.size());
+      fmt::print("{} is valid: \"{}\", {} machines, {} tools, {} crews, {} part types\n", *file, s.name,
+                 machines, s.tools.size(), s.crews.size(), s.parts.size());
     }
   });
 }

@@ -1,6 +1,6 @@
 #pragma once
-// What an operation asks of the shop: computed once from its specification by the process models, and used by the
-// simulator, the optimizer, the command line and the pages alike. Every number says where it comes from.
+// What an operation asks of the shop: computed once from its specification by the process models, and used by
+// the simulator, the optimizer, the command line and the pages alike. Every number says where it comes from.
 
 #include <cmath>
 #include <optional>
@@ -14,10 +14,11 @@ namespace verstat::operations {
 
 /// A number of the plan. Texts are literals of the kind.
 struct Quantity {
-  const char* name = "";     ///< with its unit: "cutting_force_n"
+  const char* name = "";  ///< with its unit: "cutting_force_n"
   double value = 0;
   const char* unit = "1";
-  const char* origin = "";   ///< function keys, "K117.machining_time_turning"; "COMPLETION: ..." for textbook additions
+  const char* origin =
+      "";  ///< function keys, "K117.machining_time_turning"; "COMPLETION: ..." for textbook additions
   const char* meaning = "";  ///< one line
 };
 
@@ -29,8 +30,8 @@ struct Limit {
   bool at_most = true;
   const char* unit = "1";
   const char* origin = "";
-  /// Positive when met, relative to the allowed value (to 1 when that is zero): graded, so that an optimizer can
-  /// follow it.
+  /// Positive when met, relative to the allowed value (to 1 when that is zero): graded, so that an optimizer
+  /// can follow it.
   [[nodiscard]] double margin() const {
     const double scale = allowed != 0 ? std::abs(allowed) : 1.0;
     return (at_most ? allowed - value : value - allowed) / scale;
@@ -53,7 +54,7 @@ struct ForbiddenBand {
 struct ElementLife {
   const char* element = "edge";  ///< "edge", "guide pads", "wheel"
   models::LifeLawKind law = models::LifeLawKind::weibull;
-  double mean_min = 0;           ///< of cutting
+  double mean_min = 0;  ///< of cutting
   double cv = 0.7;
   const char* origin = "";
 };
@@ -68,7 +69,7 @@ struct CutPlan {
   std::vector<Quantity> quantities;        ///< everything worth showing, main time first
   std::vector<Limit> limits;
   std::vector<ForbiddenBand> bands;
-  std::vector<Quantity> consumables;       ///< used per part
+  std::vector<Quantity> consumables;  ///< used per part
 
   [[nodiscard]] bool feasible() const;
   /// Value of the quantity with this name; none when there is none.

@@ -39,8 +39,8 @@ struct WeibullDuration {
   double mean_min = 0;
   double cv = 0.5;
 };
-using Duration = std::variant<ConstantDuration, ExponentialDuration, UniformDuration, TriangularDuration, LognormalDuration,
-                              GammaDuration, WeibullDuration>;
+using Duration = std::variant<ConstantDuration, ExponentialDuration, UniformDuration, TriangularDuration,
+                              LognormalDuration, GammaDuration, WeibullDuration>;
 
 /// Mean of a duration, min.
 [[nodiscard]] double mean_min(const Duration& duration);

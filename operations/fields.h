@@ -1,5 +1,6 @@
 #pragma once
-// Short forms for describing the members of an operation's specification, and the structures that kinds share.
+// Short forms for describing the members of an operation's specification, and the structures that kinds
+// share.
 
 #include "models/catalogue/field.h"
 #include "operations/duration.h"
@@ -10,13 +11,15 @@ namespace verstat::models {
 
 /// A member that must be given.
 template <class S, class T, class B>
-Field need(T B::*pointer, std::string name, std::string unit, Range range, std::string meaning) {
-  return member<S>(pointer, std::move(name), "", std::move(unit), range, std::move(meaning), true);
+Field need(T B::*pointer, std::string_view name, std::string_view unit, const Range& range,
+           std::string_view meaning) {
+  return member<S>(pointer, name, "", unit, range, meaning, true);
 }
 /// A member that may be left out: the default is what a default-constructed S holds.
 template <class S, class T, class B>
-Field may(T B::*pointer, std::string name, std::string unit, Range range, std::string meaning) {
-  return member<S>(pointer, std::move(name), "", std::move(unit), range, std::move(meaning), false);
+Field may(T B::*pointer, std::string_view name, std::string_view unit, const Range& range,
+          std::string_view meaning) {
+  return member<S>(pointer, name, "", unit, range, meaning, false);
 }
 /// A list with a number of entries.
 inline Field entries(Field f, std::size_t least, std::size_t most) {
@@ -69,7 +72,8 @@ struct StructFields<operations::MachineLimits> {
 
 namespace verstat::operations {
 
-/// Throws models::DomainError when a law's own members contradict each other (low above high); `name` opens the path.
+/// Throws models::DomainError when a law's own members contradict each other (low above high); `name` opens
+/// the path.
 void check_duration(const Duration& duration, const std::string& name);
 
 }  // namespace verstat::operations

@@ -33,10 +33,13 @@ void Binding<Process>::read(Process& to, const Value& v, const Field& f) {
   std::vector<std::string> names;
   for (const auto& kind : operations::kinds().all()) names.push_back(kind->name);
   const Value* name = v.find("kind");
-  if (name == nullptr || name->text() == nullptr) wrong_type(f, v, "an object with a \"kind\", for instance \"turning\"");
+  if (name == nullptr || name->text() == nullptr)
+    wrong_type(f, v, "an object with a \"kind\", for instance \"turning\"");
   const operations::Kind* kind = operations::kinds().find(*name->text());
   if (kind == nullptr)
-    wrong_type(f, *name, "an object whose \"kind\" is an operation kind; closest: \"" + closest(*name->text(), names) + "\"");
+    wrong_type(
+        f, *name,
+        "an object whose \"kind\" is an operation kind; closest: \"" + closest(*name->text(), names) + "\"");
   auto spec = kind->make();
   within(f, [&] { read_fields(spec.get(), kind->fields(), without_kind(v)); });
   to = Process(*kind, std::move(spec));
@@ -57,7 +60,8 @@ void Binding<Process>::check(const Process& x, const Field& f) {
 
 bool Binding<Process>::finite(const Process& x) {
   const auto& fields = x.kind()->fields();
-  return std::all_of(fields.begin(), fields.end(), [&](const Field& f) { return f.access->finite(x.spec()); });
+  return std::all_of(fields.begin(), fields.end(),
+                     [&](const Field& f) { return f.access->finite(x.spec()); });
 }
 
 double* Binding<Process>::locate(Process& x, std::span<const std::string> path) {
@@ -66,7 +70,8 @@ double* Binding<Process>::locate(Process& x, std::span<const std::string> path) 
 
 TypeInfo Binding<Process>::type() {
   TypeInfo info{.kind = TypeInfo::Kind::alternatives};
-  for (const auto& kind : operations::kinds().all()) info.alternatives.emplace_back(kind->name, &kind->fields());
+  for (const auto& kind : operations::kinds().all())
+    info.alternatives.emplace_back(kind->name, &kind->fields());
   return info;
 }
 

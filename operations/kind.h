@@ -1,6 +1,6 @@
 #pragma once
-// Operation kinds: each a typed specification (what the engineer states) and a plan computed from it by the process
-// models (what follows). One file pair operations/kinds/<kind>.{h,cpp}; CMake finds it by its name:
+// Operation kinds: each a typed specification (what the engineer states) and a plan computed from it by the
+// process models (what follows). One file pair operations/kinds/<kind>.{h,cpp}; CMake finds it by its name:
 //
 //   // operations/kinds/turning.h
 //   namespace verstat::operations {
@@ -11,7 +11,8 @@
 //   [[nodiscard]] CutPlan plan(const Turning& spec, const PlanContext& context);
 //   }
 //   // operations/kinds/turning.cpp: StructFields<Turning> (see operations/fields.h), plan(), and
-//   namespace verstat::operations::turning { void add_to(Kinds& kinds) { kinds.add<Turning>("summary", {"K117"}); } }
+//   namespace verstat::operations::turning { void add_to(Kinds& kinds) { kinds.add<Turning>("summary",
+//   {"K117"}); } }
 
 #include <concepts>
 #include <memory>
@@ -82,7 +83,8 @@ class Process {
  public:
   Process() = default;
   template <class Spec>
-  explicit Process(Spec spec) : kind_(kinds().find(Spec::kind)), spec_(std::make_shared<Spec>(std::move(spec))) {}
+  explicit Process(Spec spec)
+      : kind_(kinds().find(Spec::kind)), spec_(std::make_shared<Spec>(std::move(spec))) {}
   Process(const Kind& kind, std::shared_ptr<void> spec) : kind_(&kind), spec_(std::move(spec)) {}
   Process(const Process& other) { *this = other; }
   Process& operator=(const Process& other) {
@@ -121,7 +123,9 @@ template <class Spec>
 class Kinds::KindOf final : public Kind {
  public:
   using Kind::Kind;
-  [[nodiscard]] const std::vector<models::Field>& fields() const override { return models::detail::Binding<Spec>::fields(); }
+  [[nodiscard]] const std::vector<models::Field>& fields() const override {
+    return models::detail::Binding<Spec>::fields();
+  }
   [[nodiscard]] std::shared_ptr<void> make() const override { return std::make_shared<Spec>(); }
   [[nodiscard]] std::shared_ptr<void> copy(const void* spec) const override {
     return std::make_shared<Spec>(*static_cast<const Spec*>(spec));

@@ -4,7 +4,8 @@
 
 namespace verstat::operations {
 
-ElementLife taylor_life(const EdgeLife& edge, double cutting_speed_m_min, double feed_mm, double depth_of_cut_mm) {
+ElementLife taylor_life(const EdgeLife& edge, double cutting_speed_m_min, double feed_mm,
+                        double depth_of_cut_mm) {
   models::k117::Regime regime;
   regime.speed_m_min = cutting_speed_m_min;
   regime.feed_mm_rev = feed_mm;

@@ -79,8 +79,7 @@ LongRunModel::LongRunModel(const scenarios::Scenario& scenario) : scenario_(scen
 OperationCost LongRunModel::operation_cost(const Operation& operation) const {
   const double machine_rate = scenarios::find_named(scenario_.machines, operation.machine)->rate_per_min;
   const operations::CutPlan plan = scenarios::plan(scenario_, operation);
-  if (!plan.edge || operation.tool.empty())
-    return {machine_rate * plan.main_time_min, plan.main_time_min, 0};
+  if (!plan.edge || operation.tool.empty()) return {machine_rate * plan.main_time_min, plan.main_time_min, 0};
   const Tool& tool = *scenarios::find_named(scenario_.tools, operation.tool);
   const Insert& insert = *scenarios::find_named(scenario_.inserts, tool.insert);
   const Crew& crew = *scenarios::find_named(scenario_.crews, tool.crew);

@@ -17,7 +17,8 @@ using nlohmann::json;
 operations::CutPlan plan(const Scenario& scenario, const Operation& operation) {
   operations::PlanContext context{.machine = &find_named(scenario.machines, operation.machine)->limits};
   if (!operation.tool.empty())
-    context.edge = &find_named(scenario.inserts, find_named(scenario.tools, operation.tool)->insert)->edge_life;
+    context.edge =
+        &find_named(scenario.inserts, find_named(scenario.tools, operation.tool)->insert)->edge_life;
   return operation.process.plan(context);
 }
 
@@ -175,7 +176,8 @@ void check_tool(const Scenario& s, const Tool& tool, const std::string& at) {
 void check_operation(const Scenario& s, const Operation& operation, const std::string& at) {
   check_reference(s.machines, operation.machine, at + "/machine", "machine");
   if (!operation.tool.empty()) check_reference(s.tools, operation.tool, at + "/tool", "tool");
-  if (const auto* plain = operation.process.as<operations::PlainOperation>()) check_law(plain->time, at + "/process/time");
+  if (const auto* plain = operation.process.as<operations::PlainOperation>())
+    check_law(plain->time, at + "/process/time");
   operations::CutPlan plan;
   try {
     plan = scenarios::plan(s, operation);

@@ -50,9 +50,9 @@ struct StructFields<Insert> {
             need<Insert>(&Insert::price, "price", "money", money, "price of one insert"),
             need<Insert>(&Insert::edge_life, "edge_life", "-", no_range(), "life of one edge"),
             may<Insert>(&Insert::reserve_ok_probability, "reserve_ok_probability", "1", probability(),
-                "chance that a failed edge leaves the next one usable"),
+                        "chance that a failed edge leaves the next one usable"),
             may<Insert>(&Insert::single_edge_probability, "single_edge_probability", "1", probability(),
-                "chance that a fitted insert has only one usable edge"),
+                        "chance that a fitted insert has only one usable edge"),
             may<Insert>(&Insert::provenance, "provenance", "-", no_range(), "where the numbers come from")};
   }
 };
@@ -67,19 +67,20 @@ requires std::same_as<S, AgeReplacement> || std::same_as<S, PartCountReplacement
 struct StructFields<S> {
   static std::vector<Field> fields() {
     return {need<S>(&S::gamma, "gamma", "1", closed(0.01, 0.99),
-                 "reliability level: probability that an edge survives its scheduled period")};
+                    "reliability level: probability that an edge survives its scheduled period")};
   }
 };
 
 template <>
 struct StructFields<ToolChange> {
   static std::vector<Field> fields() {
-    return {may<ToolChange>(&ToolChange::index, "index", "min", no_range(), "time to turn the insert to its next edge"),
+    return {may<ToolChange>(&ToolChange::index, "index", "min", no_range(),
+                            "time to turn the insert to its next edge"),
             may<ToolChange>(&ToolChange::replace, "replace", "min", no_range(), "time to fit a new insert"),
             may<ToolChange>(&ToolChange::positioning_min, "positioning_min", "min", closed(0, 1e6),
-                "added to every change: approach, trial cut, measuring"),
+                            "added to every change: approach, trial cut, measuring"),
             may<ToolChange>(&ToolChange::failure_extra_min, "failure_extra_min", "min", closed(0, 1e6),
-                "added to a change after a failure")};
+                            "added to a change after a failure")};
   }
 };
 
@@ -93,37 +94,41 @@ struct StructFields<Tool> {
         need<Tool>(&Tool::crew, "crew", "-", no_range(), "name of the crew that changes edges"),
         may<Tool>(&Tool::change, "change", "-", no_range(), "how long a change takes"),
         may<Tool>(&Tool::insert_booking, "insert_booking", "-", no_range(),
-            "when the price of an insert is booked"),
+                  "when the price of an insert is booked"),
         may<Tool>(&Tool::periods_planned, "periods_planned", "1", open_low(0, 1000),
-            "life periods one insert yields when changed as planned"),
+                  "life periods one insert yields when changed as planned"),
         may<Tool>(&Tool::periods_failure, "periods_failure", "1", open_low(0, 1000),
-            "life periods one insert yields when run to failure"),
-        may<Tool>(&Tool::regrind_planned, "regrind_planned", "money", money, "regrinding after a planned change"),
+                  "life periods one insert yields when run to failure"),
+        may<Tool>(&Tool::regrind_planned, "regrind_planned", "money", money,
+                  "regrinding after a planned change"),
         may<Tool>(&Tool::regrind_failure, "regrind_failure", "money", money, "regrinding after a failure"),
-        may<Tool>(&Tool::failure_damage, "failure_damage", "money", money, "holder, shim and rework per failure"),
+        may<Tool>(&Tool::failure_damage, "failure_damage", "money", money,
+                  "holder, shim and rework per failure"),
         may<Tool>(&Tool::failure_scrap_probability, "failure_scrap_probability", "1", probability(),
-            "chance that a failure scraps the part in the machine")};
+                  "chance that a failure scraps the part in the machine")};
   }
 };
 
 template <>
 struct StructFields<Crew> {
   static std::vector<Field> fields() {
-    return {need<Crew>(&Crew::name, "name", "-", no_range(), "name that tools refer to"),
-            may<Crew>(&Crew::members, "members", "1", closed(1, 10'000), "people who can work at the same time"),
-            may<Crew>(&Crew::rate_per_min, "rate_per_min", "money/min", money, "wage of one member"),
-            may<Crew>(&Crew::pay, "pay", "-", no_range(), "paid for the minutes worked or for the whole shift")};
+    return {
+        need<Crew>(&Crew::name, "name", "-", no_range(), "name that tools refer to"),
+        may<Crew>(&Crew::members, "members", "1", closed(1, 10'000), "people who can work at the same time"),
+        may<Crew>(&Crew::rate_per_min, "rate_per_min", "money/min", money, "wage of one member"),
+        may<Crew>(&Crew::pay, "pay", "-", no_range(), "paid for the minutes worked or for the whole shift")};
   }
 };
 
 template <>
 struct StructFields<Machine> {
   static std::vector<Field> fields() {
-    return {need<Machine>(&Machine::name, "name", "-", no_range(), "name that operations refer to"),
-            may<Machine>(&Machine::model, "model", "-", no_range(), "maker's model"),
-            may<Machine>(&Machine::count, "count", "1", closed(1, 10'000), "number of identical machines"),
-            may<Machine>(&Machine::rate_per_min, "rate_per_min", "money/min", money, "cost of a machine minute"),
-            may<Machine>(&Machine::limits, "limits", "-", no_range(), "what the machine can do")};
+    return {
+        need<Machine>(&Machine::name, "name", "-", no_range(), "name that operations refer to"),
+        may<Machine>(&Machine::model, "model", "-", no_range(), "maker's model"),
+        may<Machine>(&Machine::count, "count", "1", closed(1, 10'000), "number of identical machines"),
+        may<Machine>(&Machine::rate_per_min, "rate_per_min", "money/min", money, "cost of a machine minute"),
+        may<Machine>(&Machine::limits, "limits", "-", no_range(), "what the machine can do")};
   }
 };
 
@@ -131,10 +136,12 @@ template <>
 struct StructFields<Operation> {
   static std::vector<Field> fields() {
     return {need<Operation>(&Operation::name, "name", "-", no_range(), "name that routes refer to"),
-            need<Operation>(&Operation::machine, "machine", "-", no_range(), "name of the machine group that does it"),
-            may<Operation>(&Operation::tool, "tool", "-", no_range(), "name of the tool; empty: nothing that wears"),
+            need<Operation>(&Operation::machine, "machine", "-", no_range(),
+                            "name of the machine group that does it"),
+            may<Operation>(&Operation::tool, "tool", "-", no_range(),
+                           "name of the tool; empty: nothing that wears"),
             need<Operation>(&Operation::process, "process", "-", no_range(),
-                 "what is done: a process model or a plain duration")};
+                            "what is done: a process model or a plain duration")};
   }
 };
 
@@ -154,8 +161,9 @@ struct StructFields<PartType> {
   static std::vector<Field> fields() {
     return {need<PartType>(&PartType::name, "name", "-", no_range(), "name of the part"),
             may<PartType>(&PartType::supply, "supply", "-", no_range(), "how blanks come"),
-            entries(need<PartType>(&PartType::route, "route", "-", no_range(), "names of the operations in order"), 1,
-                    1000),
+            entries(need<PartType>(&PartType::route, "route", "-", no_range(),
+                                   "names of the operations in order"),
+                    1, 1000),
             may<PartType>(&PartType::value, "value", "money", money, "what a scrapped part loses"),
             need<PartType>(&PartType::store, "store", "-", no_range(), "name of the store for good parts")};
   }
@@ -172,32 +180,34 @@ template <>
 struct StructFields<SimulationSettings> {
   static std::vector<Field> fields() {
     return {may<SimulationSettings>(&SimulationSettings::horizon_min, "horizon_min", "min", open_low(0, 1e9),
-                "simulated time, warm-up included"),
+                                    "simulated time, warm-up included"),
             may<SimulationSettings>(&SimulationSettings::warmup_min, "warmup_min", "min", closed(0, 1e9),
-                "time at the start that is simulated but not counted"),
-            may<SimulationSettings>(&SimulationSettings::replications, "replications", "1", closed(1, 100'000),
-                "independent repetitions with other random numbers"),
+                                    "time at the start that is simulated but not counted"),
+            may<SimulationSettings>(&SimulationSettings::replications, "replications", "1",
+                                    closed(1, 100'000), "independent repetitions with other random numbers"),
             may<SimulationSettings>(&SimulationSettings::seed, "seed", "-", no_range(),
-                "seed of all random streams, 64 bits, as a text")};
+                                    "seed of all random streams, 64 bits, as a text")};
   }
 };
 
 template <>
 struct StructFields<Scenario> {
   static std::vector<Field> fields() {
-    return {
-        need<Scenario>(&Scenario::name, "name", "-", no_range(), "name of the shop"),
-        may<Scenario>(&Scenario::description, "description", "-", no_range(), "what it shows"),
-        may<Scenario>(&Scenario::currency, "currency", "-", no_range(), "unit of all money"),
-        may<Scenario>(&Scenario::simulation, "simulation", "-", no_range(), "how it is simulated"),
-        entries(may<Scenario>(&Scenario::inserts, "inserts", "-", no_range(), "inserts"), 0, 10'000),
-        entries(may<Scenario>(&Scenario::tools, "tools", "-", no_range(), "tools"), 0, 10'000),
-        entries(may<Scenario>(&Scenario::crews, "crews", "-", no_range(), "crews"), 0, 10'000),
-        entries(need<Scenario>(&Scenario::machines, "machines", "-", no_range(), "groups of identical machines"), 1,
-                10'000),
-        entries(need<Scenario>(&Scenario::operations, "operations", "-", no_range(), "operations"), 1, 10'000),
-        entries(need<Scenario>(&Scenario::stores, "stores", "-", no_range(), "stores of finished parts"), 1, 10'000),
-        entries(need<Scenario>(&Scenario::parts, "parts", "-", no_range(), "types of part"), 1, 10'000)};
+    return {need<Scenario>(&Scenario::name, "name", "-", no_range(), "name of the shop"),
+            may<Scenario>(&Scenario::description, "description", "-", no_range(), "what it shows"),
+            may<Scenario>(&Scenario::currency, "currency", "-", no_range(), "unit of all money"),
+            may<Scenario>(&Scenario::simulation, "simulation", "-", no_range(), "how it is simulated"),
+            entries(may<Scenario>(&Scenario::inserts, "inserts", "-", no_range(), "inserts"), 0, 10'000),
+            entries(may<Scenario>(&Scenario::tools, "tools", "-", no_range(), "tools"), 0, 10'000),
+            entries(may<Scenario>(&Scenario::crews, "crews", "-", no_range(), "crews"), 0, 10'000),
+            entries(need<Scenario>(&Scenario::machines, "machines", "-", no_range(),
+                                   "groups of identical machines"),
+                    1, 10'000),
+            entries(need<Scenario>(&Scenario::operations, "operations", "-", no_range(), "operations"), 1,
+                    10'000),
+            entries(need<Scenario>(&Scenario::stores, "stores", "-", no_range(), "stores of finished parts"),
+                    1, 10'000),
+            entries(need<Scenario>(&Scenario::parts, "parts", "-", no_range(), "types of part"), 1, 10'000)};
   }
 };
 

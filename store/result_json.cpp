@@ -6,7 +6,9 @@ using nlohmann::ordered_json;
 
 namespace {
 
-ordered_json number_or_null(const std::optional<double>& value) { return value ? ordered_json(*value) : ordered_json(nullptr); }
+ordered_json number_or_null(const std::optional<double>& value) {
+  return value ? ordered_json(*value) : ordered_json(nullptr);
+}
 
 ordered_json provenance(const Provenance& p) {
   return {{"version", p.version}, {"platform", p.platform}, {"created", p.created}};
@@ -72,7 +74,8 @@ ordered_json to_json(const Study& study) {
   j["changes"] = embedded(study.changes);
   ordered_json variables = ordered_json::array();
   for (const Variable& v : study.variables)
-    variables.push_back({{"name", v.name}, {"pointer", v.pointer}, {"unit", v.unit}, {"low", v.low}, {"high", v.high}});
+    variables.push_back(
+        {{"name", v.name}, {"pointer", v.pointer}, {"unit", v.unit}, {"low", v.low}, {"high", v.high}});
   j["variables"] = std::move(variables);
   j["baseline_run"] = study.baseline_run ? ordered_json(*study.baseline_run) : ordered_json(nullptr);
   j["best_run"] = study.best_run ? ordered_json(*study.best_run) : ordered_json(nullptr);

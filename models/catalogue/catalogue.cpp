@@ -55,6 +55,39 @@ void Function::check_outputs(const void* out) const {
           key, "", fmt::format("{} has no finite value for these inputs ({})", field.name, field.meaning));
 }
 
+void FunctionDraft::add_input(Field field, Value example) {
+  field.example = std::move(example);
+  f_->inputs.push_back(std::move(field));
+}
+void FunctionDraft::add_optional(Field field) {
+  f_->inputs.push_back(std::move(field));
+}
+void FunctionDraft::add_output(Field field) {
+  f_->outputs.push_back(std::move(field));
+}
+void FunctionDraft::set_example(Value value) {
+  f_->inputs.back().example = std::move(value);
+}
+void FunctionDraft::set_length(std::size_t least, std::size_t most) {
+  f_->inputs.back().min_length = least;
+  f_->inputs.back().max_length = most;
+}
+void FunctionDraft::add_note(std::string_view text) {
+  f_->notes.emplace_back(text);
+}
+
+Function& Source::add_function(std::string_view name, std::string_view summary, std::string_view equation,
+                               Provenance provenance, Call call) {
+  Function& f = functions_.emplace_back();
+  f.key = info_.id + "." + std::string(name);
+  f.name = name;
+  f.summary = summary;
+  f.equation = equation;
+  f.provenance = provenance;
+  f.call_ = call;
+  return f;
+}
+
 const Function* Catalogue::find(std::string_view key) const {
   for (const Source& source : sources_) {
     if (!key.starts_with(source.info().id)) continue;

@@ -20,7 +20,6 @@
 
 #include <concepts>
 #include <deque>
-#include <functional>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -67,10 +66,8 @@ class Function {
   void check_outputs(const void* out) const;
 
  private:
-  template <class In, class Out>
-  friend class FunctionBuilder;
   friend class Source;
-  std::function<Value(const Function&, const Value&)> call_;
+  Value (*call_)(const Function&, const Value&) = nullptr;
 };
 
 /// One paper.
@@ -89,48 +86,77 @@ struct FunctionSlot {
   static inline const Function* described = nullptr;
 };
 
+/// What the builders below do, once for all functions: their calls are many, so they stay small.
+class FunctionDraft {
+ public:
+  explicit FunctionDraft(Function& f) : f_(&f) {}
+  void add_input(Field field, Value example);
+  void add_optional(Field field);
+  void add_output(Field field);
+  void set_example(Value value);
+  void set_length(std::size_t least, std::size_t most);
+  void add_note(std::string_view text);
+
+ private:
+  Function* f_;
+};
+
+/// An example as it is written in a description.
+class Example {
+ public:
+  Example(bool b) : value_(b) {}                                      // NOLINT(google-explicit-constructor)
+  Example(int i) : value_(i) {}                                       // NOLINT(google-explicit-constructor)
+  Example(std::int64_t i) : value_(i) {}                              // NOLINT(google-explicit-constructor)
+  Example(double d) : value_(d) {}                                    // NOLINT(google-explicit-constructor)
+  [[gnu::noinline]] Example(const char* s) : value_(s) {}             // NOLINT(google-explicit-constructor)
+  [[gnu::noinline]] Example(Value::List l) : value_(std::move(l)) {}  // NOLINT(google-explicit-constructor)
+  [[gnu::noinline]] Example(Value::Map m) : value_(std::move(m)) {}   // NOLINT(google-explicit-constructor)
+  [[gnu::noinline]] Example(Value v) : value_(std::move(v)) {}        // NOLINT(google-explicit-constructor)
+  [[gnu::noinline]] ~Example() = default;
+  [[nodiscard]] const Value& value() const { return value_; }
+
+ private:
+  Value value_;
+};
+
 /// Fills in the description of one function; each call adds one field and returns the builder.
 template <class In, class Out>
 class FunctionBuilder {
  public:
-  explicit FunctionBuilder(Function& f) : f_(&f) {}
+  explicit FunctionBuilder(Function& f) : draft_(f) {}
 
   /// A required input with an example inside its range.
   template <class T, class B>
-  requires std::derived_from<In, B> FunctionBuilder& input(T B::*pointer, std::string name,
-                                                           std::string symbol, std::string unit, Range range,
-                                                           std::string meaning, Value example) {
-    f_->inputs.push_back(member<In>(pointer, std::move(name), std::move(symbol), std::move(unit), range,
-                                    std::move(meaning), true));
-    f_->inputs.back().example = std::move(example);
+  requires std::derived_from<In, B> FunctionBuilder& input(T B::*pointer, std::string_view name,
+                                                           std::string_view symbol, std::string_view unit,
+                                                           const Range& range, std::string_view meaning,
+                                                           const Example& example) {
+    draft_.add_input(member<In>(pointer, name, symbol, unit, range, meaning, true), example.value());
     return *this;
   }
   /// An input that may be left out: the default is what a default-constructed input struct holds.
   template <class T, class B>
-  requires std::derived_from<In, B> FunctionBuilder& optional(T B::*pointer, std::string name,
-                                                              std::string symbol, std::string unit,
-                                                              Range range, std::string meaning) {
-    f_->inputs.push_back(member<In>(pointer, std::move(name), std::move(symbol), std::move(unit), range,
-                                    std::move(meaning), false));
+  requires std::derived_from<In, B> FunctionBuilder& optional(T B::*pointer, std::string_view name,
+                                                              std::string_view symbol, std::string_view unit,
+                                                              const Range& range, std::string_view meaning) {
+    draft_.add_optional(member<In>(pointer, name, symbol, unit, range, meaning, false));
     return *this;
   }
   template <class T, class B>
-  requires std::derived_from<Out, B> FunctionBuilder& output(T B::*pointer, std::string name,
-                                                             std::string symbol, std::string unit,
-                                                             Range range, std::string meaning) {
-    f_->outputs.push_back(member<Out>(pointer, std::move(name), std::move(symbol), std::move(unit), range,
-                                      std::move(meaning), true));
+  requires std::derived_from<Out, B> FunctionBuilder& output(T B::*pointer, std::string_view name,
+                                                             std::string_view symbol, std::string_view unit,
+                                                             const Range& range, std::string_view meaning) {
+    draft_.add_output(member<Out>(pointer, name, symbol, unit, range, meaning, true));
     return *this;
   }
   /// Example of the field added last (for optional inputs whose default makes a dull example).
-  FunctionBuilder& example(Value value) {
-    f_->inputs.back().example = std::move(value);
+  FunctionBuilder& example(const Example& value) {
+    draft_.set_example(value.value());
     return *this;
   }
   /// Allowed number of entries of the list added last (input).
   FunctionBuilder& length(std::size_t least, std::size_t most) {
-    f_->inputs.back().min_length = least;
-    f_->inputs.back().max_length = most;
+    draft_.set_length(least, most);
     return *this;
   }
   /// Adds a group of fields shared by several functions: `group` is called with this builder.
@@ -139,13 +165,13 @@ class FunctionBuilder {
     group(*this);
     return *this;
   }
-  FunctionBuilder& note(std::string text) {
-    f_->notes.push_back(std::move(text));
+  FunctionBuilder& note(std::string_view text) {
+    draft_.add_note(text);
     return *this;
   }
 
  private:
-  Function* f_;
+  FunctionDraft draft_;
 };
 
 class Source {
@@ -157,26 +183,26 @@ class Source {
 
   /// Describes F, a function `Out F(const In&)`.
   template <auto F>
-  auto function(std::string name, std::string summary, std::string equation, Provenance provenance) {
-    return add<F>(F, std::move(name), std::move(summary), std::move(equation), provenance);
+  auto function(std::string_view name, std::string_view summary, std::string_view equation,
+                Provenance provenance) {
+    return add<F>(F, name, summary, equation, provenance);
   }
 
  private:
+  using Call = Value (*)(const Function&, const Value&);
+  Function& add_function(std::string_view name, std::string_view summary, std::string_view equation,
+                         Provenance provenance, Call call);
+
   template <auto F, class In, class Out>
-  FunctionBuilder<In, Out> add(Out (*)(const In&), std::string name, std::string summary,
-                               std::string equation, Provenance provenance) {
-    Function& f = functions_.emplace_back();
-    f.key = info_.id + "." + name;
-    f.name = std::move(name);
-    f.summary = std::move(summary);
-    f.equation = std::move(equation);
-    f.provenance = provenance;
-    f.call_ = [](const Function& self, const Value& named) {
-      In in{};
-      read_fields(&in, self.inputs, named);
-      const Out out = F(in);
-      return write_fields(&out, self.outputs);
-    };
+  FunctionBuilder<In, Out> add(Out (*)(const In&), std::string_view name, std::string_view summary,
+                               std::string_view equation, Provenance provenance) {
+    Function& f =
+        add_function(name, summary, equation, provenance, [](const Function& self, const Value& named) {
+          In in{};
+          read_fields(&in, self.inputs, named);
+          const Out out = F(in);
+          return write_fields(&out, self.outputs);
+        });
     FunctionSlot<F>::described = &f;
     return FunctionBuilder<In, Out>(f);
   }

@@ -146,6 +146,24 @@ Value without_kind(const Value& value) {
   return rest;
 }
 
+Field make_field(std::shared_ptr<const Access> access, const void* defaults, std::string_view name,
+                 std::string_view symbol, std::string_view unit, const Range& range,
+                 std::string_view meaning) {
+  Field f;
+  f.name = name;
+  f.symbol = symbol;
+  f.unit = unit;
+  f.range = range;
+  f.meaning = meaning;
+  f.required = defaults == nullptr;
+  f.access = std::move(access);
+  if (defaults != nullptr) {
+    f.default_value = f.access->write(defaults);
+    f.example = f.default_value;
+  }
+  return f;
+}
+
 void rethrow_within(const Field& field, const DomainError& e) {
   // Messages open with the name of the member, so the path goes in front of both.
   if (e.input().empty()) throw DomainError(field.name, field.name + e.what());

@@ -113,6 +113,10 @@ std::int64_t read_integer(const Field& field, const Value& value, std::int64_t l
 [[nodiscard]] std::size_t list_index(const std::string& token, std::size_t size);
 [[nodiscard]] Value without_kind(const Value& value);
 [[noreturn]] void rethrow_within(const Field& field, const DomainError& e);
+/// `defaults` null: the field is required.
+[[nodiscard]] Field make_field(std::shared_ptr<const Access> access, const void* defaults,
+                               std::string_view name, std::string_view symbol, std::string_view unit,
+                               const Range& range, std::string_view meaning);
 
 /// Runs `body` on the members of the structure `field`, so that an error names the whole path.
 template <class Body>
@@ -354,55 +358,62 @@ struct Binding<std::variant<S...>> {
   }
 };
 
-template <class S, class T>
+// By offset rather than by pointer to member: one instance per type of member instead of one per struct and
+// member keeps the descriptions of hundreds of functions quick to compile.
+template <class T>
 class MemberAccess final : public Access {
  public:
-  explicit MemberAccess(T S::*member) : member_(member) {}
+  explicit MemberAccess(std::ptrdiff_t offset) : offset_(offset) {}
   void read(void* object, const Value& value, const Field& field) const override {
-    Binding<T>::read(static_cast<S*>(object)->*member_, value, field);
+    Binding<T>::read(*at(object), value, field);
   }
-  [[nodiscard]] Value write(const void* object) const override {
-    return Binding<T>::write(static_cast<const S*>(object)->*member_);
-  }
-  void check(const void* object, const Field& field) const override {
-    Binding<T>::check(static_cast<const S*>(object)->*member_, field);
-  }
-  [[nodiscard]] bool finite(const void* object) const override {
-    return Binding<T>::finite(static_cast<const S*>(object)->*member_);
-  }
+  [[nodiscard]] Value write(const void* object) const override { return Binding<T>::write(*at(object)); }
+  void check(const void* object, const Field& field) const override { Binding<T>::check(*at(object), field); }
+  [[nodiscard]] bool finite(const void* object) const override { return Binding<T>::finite(*at(object)); }
   [[nodiscard]] double* locate(void* object, std::span<const std::string> path) const override {
     if constexpr (requires(T & x) { Binding<T>::locate(x, path); })
-      return Binding<T>::locate(static_cast<S*>(object)->*member_, path);
+      return Binding<T>::locate(*at(object), path);
     else
       return nullptr;
   }
   [[nodiscard]] TypeInfo type_info() const override { return Binding<T>::type(); }
 
  private:
-  T S::*member_;
+  [[nodiscard]] T* at(void* object) const {
+    return reinterpret_cast<T*>(static_cast<char*>(object) + offset_);
+  }
+  [[nodiscard]] const T* at(const void* object) const {
+    return reinterpret_cast<const T*>(static_cast<const char*>(object) + offset_);
+  }
+  std::ptrdiff_t offset_;
 };
+
+/// A default-constructed S: holds the defaults, and shows where its members lie.
+template <class S>
+[[gnu::noinline]] const S& default_object() {
+  static const S object{};
+  return object;
+}
+
+template <class T>
+[[gnu::noinline]] Field make_field(std::ptrdiff_t offset, const void* defaults, std::string_view name,
+                                   std::string_view symbol, std::string_view unit, const Range& range,
+                                   std::string_view meaning) {
+  return make_field(std::make_shared<MemberAccess<T>>(offset), defaults, name, symbol, unit, range, meaning);
+}
 
 }  // namespace detail
 
 /// A field of struct S. `required` false: the value a default-constructed S holds is the default.
 template <class S, class T, class B>
 requires std::derived_from<S, B>
-[[nodiscard]] Field member(T B::*pointer, std::string name, std::string symbol, std::string unit, Range range,
-                           std::string meaning, bool required = true) {
-  Field f;
-  f.name = std::move(name);
-  f.symbol = std::move(symbol);
-  f.unit = std::move(unit);
-  f.range = range;
-  f.meaning = std::move(meaning);
-  f.required = required;
-  f.access = std::make_shared<detail::MemberAccess<S, T>>(static_cast<T S::*>(pointer));
-  if (!required) {
-    const S defaults{};
-    f.default_value = f.access->write(&defaults);
-    f.example = f.default_value;
-  }
-  return f;
+[[nodiscard]] Field member(T B::*pointer, std::string_view name, std::string_view symbol,
+                           std::string_view unit, const Range& range, std::string_view meaning,
+                           bool required = true) {
+  const S& object = detail::default_object<S>();
+  const std::ptrdiff_t offset =
+      reinterpret_cast<const char*>(&(object.*pointer)) - reinterpret_cast<const char*>(&object);
+  return detail::make_field<T>(offset, required ? nullptr : &object, name, symbol, unit, range, meaning);
 }
 
 }  // namespace verstat::models

@@ -7,6 +7,7 @@
 
 #include <boost/math/special_functions/digamma.hpp>
 #include <boost/math/special_functions/gamma.hpp>
+#include <boost/math/special_functions/zeta.hpp>
 
 #include "models/catalogue/error.h"
 #include "models/math/normal.h"
@@ -21,7 +22,19 @@ double log_gamma(double x) {
 
 // ln(1 + cv^2) of the Weibull law.
 double log_one_plus_cv2(double shape) {
-  return log_gamma(1 + 2 / shape) - 2 * log_gamma(1 + 1 / shape);
+  const double x = 1 / shape;
+  if (x > 0.03) return log_gamma(1 + 2 * x) - 2 * log_gamma(1 + x);
+  // Large shapes: the terms linear in x cancel, so the series of ln Gamma(1 + x) from the second term on,
+  // sum of (-1)^k zeta(k) x^k / k, is taken for 2x and x together.
+  double sum = 0;
+  double power = x;
+  double two = 2;
+  for (int k = 2; k <= 12; ++k) {
+    power *= -x;
+    two *= 2;
+    sum -= boost::math::zeta(static_cast<double>(k), MathPolicy()) * (two - 2) * power / k;
+  }
+  return sum;
 }
 
 // Mean of a Weibull life with scale 1.
@@ -41,7 +54,7 @@ double weibull_cv(double shape) {
 }
 
 double weibull_shape(double cv) {
-  require(cv >= 0.025 && cv <= 10, "cv", cv, "allowed 0.025 <= cv <= 10 for the Weibull law");
+  require(cv >= 1e-4 && cv <= 10, "cv", cv, "allowed 1e-4 <= cv <= 10 for the Weibull law");
   if (cv == 1) return 1;
   // Newton in ln b for ln ln(1 + cv^2), which is almost a straight line: four steps reach rounding.
   const double target = std::log1p(cv * cv);

@@ -31,7 +31,7 @@ struct EnumNames<LifeLawKind> {
 
 class LifeLaw {
  public:
-  /// Law with mean > 0 and cv: 0.025..10 for Weibull, 0.05..0.45 for normal (a wider scatter would put more
+  /// Law with mean > 0 and cv: 1e-4..10 for Weibull, 0.05..0.45 for normal (a wider scatter would put more
   /// than 1.3 % of the lives into the atom), ignored by exponential.
   /// `mean` of the normal law is the untruncated mean. Throws DomainError naming "cv" or the mean.
   LifeLaw(LifeLawKind kind, double mean, double cv);
@@ -79,10 +79,10 @@ class LifeLaw {
   double scale_ = 1;
 };
 
-/// Weibull shape b with the coefficient of variation cv (0.025..10), to rounding:
+/// Weibull shape b with the coefficient of variation cv (1e-4..10), to rounding:
 ///   cv^2 = Gamma(1 + 2/b) / Gamma(1 + 1/b)^2 - 1.  Exactly 1 for cv = 1.
 [[nodiscard]] double weibull_shape(double cv);
-/// Coefficient of variation of the Weibull law with shape 0.25..60.
+/// Coefficient of variation of the Weibull law with shape > 0.2.
 [[nodiscard]] double weibull_cv(double shape);
 
 }  // namespace verstat::models

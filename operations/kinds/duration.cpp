@@ -20,7 +20,9 @@ CutPlan plan(const PlainOperation& spec, const PlanContext&) {
 }
 
 namespace duration {
-void add_to(Kinds& kinds) { kinds.add<PlainOperation>("A plain time, constant or random.", {}); }
+void add_to(Kinds& kinds) {
+  kinds.add<PlainOperation>("A plain time, constant or random.", {});
+}
 }  // namespace duration
 
 }  // namespace verstat::operations

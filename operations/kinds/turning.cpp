@@ -13,7 +13,8 @@ struct verstat::models::StructFields<verstat::operations::Turning> {
     return {need<S>(&S::diameter_mm, "diameter_mm", "mm", open_low(0, 1e5), "diameter of the cut"),
             need<S>(&S::length_mm, "length_mm", "mm", open_low(0, 1e6), "length of the cut"),
             may<S>(&S::passes, "passes", "1", closed(1, 10'000), "number of passes"),
-            need<S>(&S::cutting_speed_m_min, "cutting_speed_m_min", "m/min", closed(0.1, 1e5), "cutting speed v_c"),
+            need<S>(&S::cutting_speed_m_min, "cutting_speed_m_min", "m/min", closed(0.1, 1e5),
+                    "cutting speed v_c"),
             need<S>(&S::feed_mm_rev, "feed_mm_rev", "mm/rev", closed(1e-4, 100), "feed f"),
             need<S>(&S::depth_of_cut_mm, "depth_of_cut_mm", "mm", closed(1e-4, 1000), "depth of cut a_p")};
   }
@@ -39,7 +40,9 @@ CutPlan plan(const Turning& spec, const PlanContext& context) {
 }
 
 namespace turning {
-void add_to(Kinds& kinds) { kinds.add<Turning>("A cylinder turned lengthwise in passes.", {"K117"}); }
+void add_to(Kinds& kinds) {
+  kinds.add<Turning>("A cylinder turned lengthwise in passes.", {"K117"});
+}
 }  // namespace turning
 
 }  // namespace verstat::operations

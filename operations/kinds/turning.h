@@ -1,7 +1,8 @@
 #pragma once
 // Operation kind "turning": a cylinder turned lengthwise in passes.
 //
-// Main time and edge life from K117; cutting force and power from the textbook relation of Kienzle (COMPLETION).
+// Main time and edge life from K117; cutting force and power from the textbook relation of Kienzle
+// (COMPLETION).
 
 #include <cstdint>
 

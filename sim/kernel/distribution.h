@@ -98,7 +98,12 @@ class Distribution {
   static Distribution empirical(const std::vector<double>& observations);
 
   /// Draws one variate.
-  [[nodiscard]] double sample(RandomStream& stream) const { return quantile_open(stream.uniform()); }
+  [[nodiscard]] double sample(RandomStream& stream) const {
+    if (const auto* exponential = std::get_if<detail::law::Exponential>(&law_)) {
+      return stream.exponential(exponential->mean);
+    }
+    return quantile_open(stream.uniform());
+  }
 
   [[nodiscard]] double mean() const;
   [[nodiscard]] double variance() const;

@@ -5,9 +5,10 @@
 
 namespace verstat::sim::detail {
 
-/// Free lists by size, one set per thread. A block taken in one thread may be given back in another: it
-/// then serves the thread that gave it back. Blocks come from ::operator new one by one and return there
-/// when their thread ends. Under address sanitizer the pool steps aside, so that use after free shows.
+/// Free lists by size, one set per thread, filled from chunks that grow with demand. A block taken in one
+/// thread may be given back in another: it then serves that one. What a thread leaves behind goes to a depot
+/// for the others; the memory stays with the program. Under address sanitizer the pool steps aside, so that
+/// use after free shows.
 class FramePool {
  public:
   static void* allocate(std::size_t bytes);

@@ -44,7 +44,7 @@ class Hash {
 
 RandomStream::RandomStream(std::uint64_t seed, std::string_view entity, std::string_view purpose,
                            std::uint64_t replication, Sampling sampling) noexcept
-    : antithetic_(sampling == Sampling::antithetic) {
+    : flip_(sampling == Sampling::antithetic ? ~std::uint64_t{0} : 0) {
   Hash hash;
   hash.absorb(seed);
   hash.absorb(entity);

@@ -3,9 +3,10 @@
 
 #include <array>
 #include <bit>
-#include <cmath>
 #include <cstdint>
 #include <string_view>
+
+#include "sim/kernel/fast_log.h"
 
 namespace verstat::sim {
 
@@ -25,6 +26,13 @@ class RandomStream {
   RandomStream(std::uint64_t seed, std::string_view entity, std::string_view purpose,
                std::uint64_t replication = 0, Sampling sampling = Sampling::plain) noexcept;
 
+  /// A stream that starts in a given state, not all zero: for comparison with other programs.
+  static RandomStream from_state(const std::array<std::uint64_t, 4>& state) noexcept {
+    RandomStream stream;
+    stream.state_ = state;
+    return stream;
+  }
+
   /// The next 64 bits (not affected by antithetic sampling).
   std::uint64_t bits() noexcept {
     const std::uint64_t result = std::rotl(state_[0] + state_[3], 23) + state_[0];
@@ -35,35 +43,36 @@ class RandomStream {
     state_[0] ^= state_[3];
     state_[2] ^= t;
     state_[3] = std::rotl(state_[3], 45);
-    ++draws_;
     return result;
   }
 
-  /// Uniform in the open interval (0, 1), one of the 2^52 numbers (k + 1/2) / 2^52: never 0 or 1, and 1 - u
-  /// is exact.
-  double uniform() noexcept {
-    const double u = std::bit_cast<double>((bits() >> 12U) | 0x3ff0000000000000ULL) - (1.0 - 0x1p-53);
-    return antithetic_ ? 1.0 - u : u;
+  /// The number (k + 1/2) / 2^52, where k is the upper 52 of the bits: never 0 or 1, and 1 - u is exact.
+  [[nodiscard]] static double to_uniform(std::uint64_t bits) noexcept {
+    return std::bit_cast<double>((bits >> 12U) | 0x3ff0000000000000ULL) - (1.0 - 0x1p-53);
   }
+  /// Uniform in the open interval (0, 1).
+  double uniform() noexcept { return to_uniform(bits() ^ flip_); }
   /// Uniform in (low, high).
   double uniform(double low, double high) noexcept { return low + (high - low) * uniform(); }
 
   /// Exponential with the given mean > 0, by inversion: one uniform each, so that runs with other means stay
   /// paired.
-  double exponential(double mean) noexcept { return -mean * std::log(1.0 - uniform()); }
+  double exponential(double mean) noexcept { return -mean * detail::log_table.log(1.0 - uniform()); }
 
   /// Whole number from 0 to n - 1 (n >= 1), by inversion of one uniform: bias below n / 2^52.
   std::uint64_t below(std::uint64_t n) noexcept {
     return static_cast<std::uint64_t>(uniform() * static_cast<double>(n));
   }
 
-  /// How many numbers were drawn so far: two variants of a model are paired as long as these agree.
-  [[nodiscard]] std::uint64_t draws() const noexcept { return draws_; }
+  /// Two streams are equal when everything they will ever give is: two variants of a model are still paired
+  /// as long as this holds.
+  friend bool operator==(const RandomStream&, const RandomStream&) noexcept = default;
 
  private:
+  RandomStream() = default;
+
   std::array<std::uint64_t, 4> state_{};
-  std::uint64_t draws_ = 0;
-  bool antithetic_;
+  std::uint64_t flip_ = 0;  // all ones: antithetic
 };
 
 }  // namespace verstat::sim

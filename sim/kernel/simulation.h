@@ -69,6 +69,8 @@ class Simulation : public detail::Engine {
 
   /// Number of events executed so far.
   [[nodiscard]] std::uint64_t events_executed() const noexcept { return executed_; }
+  /// True when no event is pending.
+  [[nodiscard]] bool empty() const noexcept { return list_.empty(); }
   /// Number of events pending.
   [[nodiscard]] std::size_t events_pending() const noexcept { return list_.size(); }
   /// Name of the process that is executing; empty outside processes.

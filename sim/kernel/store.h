@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 
 #include "sim/kernel/queue_statistics.h"
@@ -167,6 +168,7 @@ class Store {
   template <class Filter>
   requires std::predicate<Filter&, const T&>
   [[nodiscard]] detail::Get<T, Filter> get(Filter filter) {
+    static_assert(std::is_trivially_destructible_v<Filter>, "capture by reference (see Signal::wait_until)");
     return detail::Get<T, Filter>(*sim_, *this, std::move(filter));
   }
   /// Puts without waiting; false (and `item` untouched) when full.
@@ -176,6 +178,11 @@ class Store {
     return true;
   }
   bool try_put(T&& item) { return try_put(item); }
+  bool try_put(const T& item) requires std::copy_constructible<T> {
+    if (!has_room()) return false;
+    accept(T(item));
+    return true;
+  }
   /// Takes the next item if there is one.
   std::optional<T> try_get() {
     std::optional<T> item;

@@ -35,7 +35,7 @@ class Tally {
 
   void reset() noexcept { *this = Tally(); }
 
-  [[nodiscard]] std::uint64_t count() const noexcept { return count_; }
+  [[nodiscard]] std::uint64_t count() const noexcept { return static_cast<std::uint64_t>(count_); }
   /// 0 without observations.
   [[nodiscard]] double mean() const noexcept { return mean_; }
   [[nodiscard]] double sum() const noexcept { return mean_ * static_cast<double>(count_); }
@@ -54,7 +54,7 @@ class Tally {
   [[nodiscard]] double max() const noexcept { return max_; }
 
  private:
-  std::uint64_t count_ = 0;
+  std::int64_t count_ = 0;  // signed: converts to double in one instruction
   double mean_ = 0.0;
   double squares_ = 0.0;  // sum of squared deviations from the mean
   double min_ = std::numeric_limits<double>::infinity();

@@ -6,6 +6,7 @@
 #include <memory>
 #include <string>
 #include <string_view>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -135,6 +136,7 @@ class UnitPool {
   template <class Filter = detail::AcceptAll>
   requires std::predicate<Filter&, const T&>
   [[nodiscard]] detail::AcquireUnit<T, Filter> acquire(Filter filter = Filter(), int priority = 0) {
+    static_assert(std::is_trivially_destructible_v<Filter>, "capture by reference (see Signal::wait_until)");
     return detail::AcquireUnit<T, Filter>(*sim_, *this, priority, std::move(filter));
   }
 

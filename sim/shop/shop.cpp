@@ -150,8 +150,8 @@ sim::Task<void> Shop::machine_process(MachineUnit& machine) {
                       event_budget));
     const std::string& name = scenario_.parts[job.part].route[job.step];
     const PlannedOperation& operation = operations_[index_of(scenario_.operations, name)];
-    const double main_time_min =
-        operation.time_law ? operation.time_law->sample(machine.duration_stream) : operation.plan.main_time_min;
+    const double main_time_min = operation.time_law ? operation.time_law->sample(machine.duration_stream)
+                                                    : operation.plan.main_time_min;
     if (operation.plan.edge && !operation.spec->tool.empty()) {
       MountedTool& tool = *machine.tools.at(operation.spec->tool);
       co_await turn(machine, tool, main_time_min, operation.plan.edge->mean_min, job);

@@ -8,6 +8,8 @@
 
 #include "models/drilling/k308_hole_pair_tooling.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k308;
 
@@ -22,7 +24,7 @@ TEST_CASE("K308: the wear ratio of the example and its small-feed limit", "[K308
 }
 
 TEST_CASE("K308: a turning bushing wears less at every practical feed", "[K308]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double k1 = *rc::gen::inRange(120, 141) * 1e-2;
     const double k2 = *rc::gen::inRange(0, 101) * 1e-2;
     const double r = *rc::gen::inRange(5, 300) * 0.1;
@@ -59,7 +61,7 @@ TEST_CASE("K308: error sums follow the 3-4-5 rule and never fall below a compone
   CHECK(gauge_error({0, 0.3, 0, 0.4, 0}).error_mm == Approx(0.5));
   CHECK(gauge_error({0, 0, 0, 0, 0.011}).error_mm == 0.011);
   CHECK(gauge_error({1, 1, 1, 1, 1}).error_mm == Approx(std::sqrt(5.0)));
-  rc::check([] {
+  verstat::test::property([] {
     const double one = *rc::gen::inRange(0, 1000) * 1e-3;
     const double two = *rc::gen::inRange(0, 1000) * 1e-3;
     RC_ASSERT(setup_error({one, two, 0.1}).error_mm >= std::max({one, two, 0.1}));
@@ -70,7 +72,7 @@ TEST_CASE("K308: error sums follow the 3-4-5 rule and never fall below a compone
 TEST_CASE("K308: angle and centre distance of the head are inverse", "[K308]") {
   CHECK(head_center_distance({40, 24, 180}).distance_mm == 64);
   CHECK(head_angle({40, 24, 40}).angle_deg == Approx(77.4).margin(0.05));
-  rc::check([] {
+  verstat::test::property([] {
     const double phi = *rc::gen::inRange(1, 1790) * 0.1;
     const double a = head_center_distance({40, 24, phi}).distance_mm;
     RC_ASSERT(head_angle({40, 24, a}).angle_deg == Approx(phi).epsilon(1e-9));
@@ -83,7 +85,7 @@ TEST_CASE("K308: angle and centre distance of the head are inverse", "[K308]") {
 }
 
 TEST_CASE("K308: strokes are whole and indexing falls between them", "[K308]") {
-  rc::check([] {
+  verstat::test::property([] {
     const std::int64_t holes = *rc::gen::inRange(1, 50);
     const std::int64_t drills = *rc::gen::inRange(1, 9);
     const auto job = multi_spindle_drilling({12, 3, 2, 0.15, 600, 40, 24, holes, drills, 0.1});

@@ -9,6 +9,8 @@
 
 #include "models/drilling/k404_step_drill_delamination.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k404;
 
@@ -66,7 +68,7 @@ TEST_CASE("K404: the pole separates valid from invalid", "[K404]") {
   constexpr std::array poles{std::pair{0.0, 0.535}, std::pair{0.2, 0.600}, std::pair{0.32, 0.637},
                              std::pair{0.4, 0.657}};
   for (const auto& [nu, pole] : poles) CHECK(next_stage_pole({nu}).ratio == Approx(pole).margin(5e-4));
-  rc::check([] {
+  verstat::test::property([] {
     const double nu = *rc::gen::inRange(0, 4500) * 1e-4;
     const double pole = next_stage_pole({nu}).ratio;
     RC_ASSERT(critical_thrust_next_stage({1, nu, pole * (1 - 1e-9)}).valid);
@@ -122,7 +124,7 @@ TEST_CASE("K404: (C1) is the energy release of a clamped annulus loaded on its h
 
 TEST_CASE("K404: the deflection vanishes at the support, and its inverse keeps the limit", "[K404]") {
   CHECK(plate_deflection({60, 160, 0.32, 10, 10}).deflection_mm == 0);
-  rc::check([] {
+  verstat::test::property([] {
     const double nu = *rc::gen::inRange(0, 45) * 1e-2;
     const double a = *rc::gen::inRange(1, 400) * 0.1;
     const double w_centre = plate_deflection({60, 160, nu, a, 0}).deflection_mm;
@@ -149,7 +151,7 @@ TEST_CASE("K404: at the feed limit the thrust of each stage times safety is the 
 }
 
 TEST_CASE("K404: no ratio on a fine scan allows more feed than the best one", "[K404]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double nu = *rc::gen::inRange(0, 46) * 1e-2;
     const double c_1 = *rc::gen::inRange(5, 300);
     const double c_2 = *rc::gen::inRange(5, 300);

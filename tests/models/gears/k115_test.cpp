@@ -7,6 +7,8 @@
 
 #include "models/gears/k115_hyperboloid_roller.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k115;
 namespace crossed = verstat::models::k115::detail;
@@ -62,7 +64,7 @@ crossed::Point carried(const RollerFlank& in, double psi, double z, double phi1)
 }  // namespace
 
 TEST_CASE("K115: the repaired transformation preserves distances at any angles", "[K115]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto angle = [] { return *rc::gen::inRange(-3600, 3600) * 0.1 * rad; };
     const auto length = [] { return *rc::gen::inRange(-1000, 1000) * 0.1; };
     const crossed::Point p{length(), length(), length()};
@@ -80,7 +82,7 @@ TEST_CASE("K115: the repaired transformation preserves distances at any angles",
 }
 
 TEST_CASE("K115: every generated point satisfies the equation of meshing", "[K115]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto in = random_flank();
     const auto point = hyperboloid_roller_point(in);
     RC_ASSERT(point.tool_turn_deg.has_value());
@@ -99,7 +101,7 @@ TEST_CASE("K115: every generated point satisfies the equation of meshing", "[K11
 }
 
 TEST_CASE("K115: at contact the motion over the turn lies in the tangent plane", "[K115]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto in = random_flank();
     const double psi = in.roll_angle_deg * rad;
     const double z = in.axial_position_mm;
@@ -141,7 +143,7 @@ TEST_CASE("K115: on parallel axes the section is an involute of base radius r ov
 }
 
 TEST_CASE("K115: the pressure angle is recovered in the middle plane", "[K115]") {
-  rc::check([] {
+  verstat::test::property([] {
     RollerFlank in = random_flank();
     in.axial_position_mm = 0;
     in.branch = 1;
@@ -153,7 +155,7 @@ TEST_CASE("K115: the pressure angle is recovered in the middle plane", "[K115]")
 }
 
 TEST_CASE("K115: the flanks map into each other by a half turn about x2", "[K115]") {
-  rc::check([] {
+  verstat::test::property([] {
     RollerFlank in = random_flank();
     in.flank = 1;
     const auto left = hyperboloid_roller_point(in);
@@ -186,7 +188,7 @@ TEST_CASE("K115: on parallel axes the radius falls to its minimum r/|u21| and gr
 }
 
 TEST_CASE("K115: a section point lies in its plane and on the surface", "[K115]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto in = random_flank();
     const auto point = hyperboloid_roller_point(in);
     const RollerSection plane{in.tool_teeth,

@@ -8,6 +8,8 @@
 #include "models/grinding/k104_cutoff_wheel_sides.h"
 #include "models/math/solve.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k104;
 
@@ -52,7 +54,7 @@ TEST_CASE("K104: eq. (1) is the double integral it is derived from", "[K104]") {
 }
 
 TEST_CASE("K104: the largest density gives the median at t and nearly all of the layer at 2t", "[K104]") {
-  rc::check([] {
+  verstat::test::property([] {
     SideGrains grains = example;
     grains.relative_depth = *rc::gen::inRange(1, 50) * 1e-2;
     grains.grain_tip_radius_mm = *rc::gen::inRange(10, 150) * 1e-3;
@@ -81,7 +83,7 @@ TEST_CASE("K104: the largest density gives the median at t and nearly all of the
 }
 
 TEST_CASE("K104: density, depth and feed are mutual inverses", "[K104]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double layer = *rc::gen::inRange(50, 300) * 1e-3;
     const double feed = *rc::gen::inRange(5, 300) * 0.1;
     const double d = *rc::gen::inRange(20, 120);
@@ -127,7 +129,7 @@ TEST_CASE("K104: the layer of the table stays within its share of the diameter",
     CHECK(layer * 1000 == Approx(row.layer_um).epsilon(1e-12));
     CHECK(layer / row.d == Approx(0.00245).margin(0.0004));  // 0.0021 to 0.0028, rounded
   }
-  rc::check([] {
+  verstat::test::property([] {
     const double d = *rc::gen::inRange(200, 1200) * 0.1;
     const double wheel = *rc::gen::inRange(300, 600);
     const double layer = side_layer_thickness({d, wheel}).layer_mm;

@@ -7,6 +7,8 @@
 
 #include "models/grinding/k112_stone_turning.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k112;
 
@@ -100,7 +102,7 @@ TEST_CASE("K112: finishing keeps the speeds of roughing", "[K112]") {
 }
 
 TEST_CASE("K112: passes are the least whole number that covers the allowance", "[K112]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double depth = *rc::gen::inRange(1, 500) * 1e-2;
     const double allowance = *rc::gen::inRange(0, 3000) * 1e-2;
     const auto time = stone_turning_time({100, 10, allowance, depth, 0.1, 50});

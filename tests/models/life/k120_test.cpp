@@ -6,6 +6,8 @@
 
 #include "models/life/k120_deep_hole_guide_pads.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k120;
 
@@ -16,7 +18,7 @@ TEST_CASE("K120: the sliding path meets the printed 35168 m and 23445 m", "[K120
 }
 
 TEST_CASE("K120: path and length are inverse, and drilling takes path over speed", "[K120]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double diameter_mm = *rc::gen::inRange(5, 500);
     const double length_m = *rc::gen::inRange(1, 5000) * 1e-2;
     const double feed = *rc::gen::inRange(1, 100) * 1e-2;
@@ -31,7 +33,7 @@ TEST_CASE("K120: path and length are inverse, and drilling takes path over speed
 }
 
 TEST_CASE("K120: wear is zero up to the shift and grows, and its inverse gives the length back", "[K120]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double a = *rc::gen::inRange(1, 1000) * 1e-6;
     const double b = *rc::gen::inRange(20, 300) * 1e-2;
     const double c = *rc::gen::inRange(-50, 50) * 1e-4;
@@ -57,7 +59,7 @@ TEST_CASE("K120: the diameter falls by twice the wear and the lead-in is lost fr
 }
 
 TEST_CASE("K120: the fit reproduces the coefficients of noise-free data", "[K120]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double a = *rc::gen::inRange(1, 100) * 1e-5;
     const double b = *rc::gen::inRange(30, 350) * 1e-2 + 0.003;
     const double c = *rc::gen::inRange(-20, 50) * 1e-4;
@@ -102,7 +104,7 @@ TEST_CASE("K120: a law outside the searched exponents is flagged", "[K120]") {
 }
 
 TEST_CASE("K120: the state follows the drilled length and agrees with the pad life", "[K120]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double b = *rc::gen::inRange(80, 250) * 1e-2;
     const double c = *rc::gen::inRange(-20, 20) * 1e-4;
     const double shift = *rc::gen::inRange(0, 1500) * 1e-2;

@@ -31,10 +31,13 @@ LifeLaw arbitrary_law() {
 
 TEST_CASE("Weibull shape and coefficient of variation are inverse over the whole range", "[math]") {
   for (int k = 0; k <= 2000; ++k) {
-    const double cv = 0.025 * std::pow(10 / 0.025, k / 2000.0);
+    const double cv = 1e-4 * std::pow(10 / 1e-4, k / 2000.0);
     INFO(cv);
     CHECK(weibull_cv(weibull_shape(cv)) == Approx(cv).epsilon(2e-12));
   }
+  // Both forms of the coefficient of variation meet where one takes over.
+  CHECK(weibull_cv(1 / 0.030000001) == Approx(weibull_cv(1 / 0.029999999)).epsilon(1e-7));
+  CHECK(weibull_cv(1e4) == Approx(M_PI / std::sqrt(6.0) * 1e-4).epsilon(1e-3));  // Gumbel limit
   CHECK(weibull_shape(1) == 1);
   CHECK(weibull_shape(std::nextafter(1.0, 0.0)) >= 1);
   CHECK(weibull_shape(std::nextafter(1.0, 2.0)) <= 1);
@@ -43,7 +46,7 @@ TEST_CASE("Weibull shape and coefficient of variation are inverse over the whole
 }
 
 TEST_CASE("the density is the slope of the failure probability, the hazard their ratio", "[math]") {
-  rc::check([] {
+  CHECK(rc::check([] {
     const LifeLaw law = arbitrary_law();
     const double t = law.mean() * *rc::gen::inRange(5, 250) * 0.01;
     const double h = 1e-5 * t;
@@ -52,11 +55,11 @@ TEST_CASE("the density is the slope of the failure probability, the hazard their
     RC_ASSERT(std::abs(law.reliability(t) + law.failure_probability(t) - 1) < 1e-15);
     if (law.reliability(t) > 1e-300)
       RC_ASSERT(std::abs(law.hazard(t) * law.reliability(t) / law.density(t) - 1) < 1e-10);
-  });
+  }));
 }
 
 TEST_CASE("the restricted mean is the integral of the reliability and keeps its bounds", "[math]") {
-  rc::check([] {
+  CHECK(rc::check([] {
     const LifeLaw law = arbitrary_law();
     const double tau = law.mean() * std::pow(10.0, *rc::gen::inRange(-60, 8) * 0.1);
     const double m = law.restricted_mean(tau);
@@ -66,33 +69,33 @@ TEST_CASE("the restricted mean is the integral of the reliability and keeps its 
     RC_ASSERT(std::abs(m - integral) < 2e-9 * integral);
     RC_ASSERT(m <= tau);
     RC_ASSERT(m <= law.mean_life() * (1 + 1e-15));
-  });
+  }));
   const LifeLaw normal(LifeLawKind::normal, 60, 0.4);
   CHECK(normal.mean_life() / 60 == Approx(1.0008).margin(5e-5));
   CHECK(normal.restricted_mean(std::numeric_limits<double>::infinity()) == normal.mean_life());
 }
 
 TEST_CASE("gamma-percent life and quantile invert the reliability", "[math]") {
-  rc::check([] {
+  CHECK(rc::check([] {
     const LifeLaw law = arbitrary_law();
     const double gamma = *rc::gen::inRange(1, 999) * 1e-3;
     const double t = law.gamma_percent_life(gamma);
     if (t > 0) RC_ASSERT(std::abs(law.reliability(t) - gamma) < 1e-12);
     RC_ASSERT(std::abs(law.quantile(1 - gamma) - t) <= 1e-11 * law.mean());
-  });
+  }));
   const LifeLaw scattered(LifeLawKind::normal, 60, 0.45);
   CHECK(scattered.gamma_percent_life(0.98) > 0);
   CHECK(scattered.gamma_percent_life(0.9870) == 0);  // above Phi(1/0.45) = 0.98687
 }
 
 TEST_CASE("with_mean stretches time and nothing else", "[math]") {
-  rc::check([] {
+  CHECK(rc::check([] {
     const LifeLaw law = arbitrary_law();
     const LifeLaw twice = law.with_mean(2 * law.mean());
     const double t = law.mean() * *rc::gen::inRange(1, 300) * 0.01;
     RC_ASSERT(std::abs(twice.reliability(2 * t) - law.reliability(t)) < 1e-14);
     RC_ASSERT(std::abs(twice.restricted_mean(2 * t) / law.restricted_mean(t) - 2) < 1e-13);
-  });
+  }));
 }
 
 TEST_CASE("normal tails: Mills ratio and quantile", "[math]") {

@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 
 TEST_CASE("a normal interval meets tabulated values, far tails too", "[math]") {
@@ -15,7 +17,7 @@ TEST_CASE("a normal interval meets tabulated values, far tails too", "[math]") {
 }
 
 TEST_CASE("a normal interval and its mirror image have the same probability", "[math]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double low = *rc::gen::inRange(-8000, 8000) * 1e-3;
     const double high = low + *rc::gen::inRange(1, 5000) * 1e-3;
     const double p = normal_between(low, high);

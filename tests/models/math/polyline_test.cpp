@@ -5,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 
 TEST_CASE("a polyline meets its nodes exactly and keeps its end values outside them", "[math]") {
@@ -18,7 +20,7 @@ TEST_CASE("a polyline meets its nodes exactly and keeps its end values outside t
 }
 
 TEST_CASE("a polyline through points of a straight line is that line", "[math]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto line = [](double x) { return 3 - 0.25 * x; };
     const std::array nodes{Node{-4, line(-4)}, Node{1, line(1)}, Node{2, line(2)}, Node{16, line(16)}};
     const double x = *rc::gen::inRange(-4000, 16000) * 1e-3;

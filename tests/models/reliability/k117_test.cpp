@@ -130,7 +130,7 @@ TEST_CASE("K117 check 3: availability limits", "[K117]") {
   CHECK(insert_cycle_availability(in).availability == Approx(110 / (110 + 2 / 0.3)).epsilon(1e-12));
   in.rate_index_per_min = in.rate_replace_per_min = 1e12;
   CHECK(insert_cycle_availability(in).availability == Approx(1).epsilon(1e-12));
-  rc::check([] {
+  CHECK(rc::check([] {
     InsertCycle two;
     two.scale1_min = *rc::gen::inRange(5, 200);
     two.scale2_min = two.scale1_min * *rc::gen::inRange(1, 200) * 0.01;
@@ -153,7 +153,7 @@ TEST_CASE("K117 check 3: availability limits", "[K117]") {
     AvailabilityTarget target{static_cast<TwoEdgeInsert>(two), 0.9};
     two.rate_index_per_min = two.rate_replace_per_min = required_restoration_rate(target).rate_per_min;
     RC_ASSERT(std::abs(insert_cycle_availability(two).availability - 0.9) < 1e-12);
-  });
+  }));
 }
 
 TEST_CASE("K117: semi-Markov chains may have transient states but one recurrent class only", "[K117]") {
@@ -165,7 +165,7 @@ TEST_CASE("K117: semi-Markov chains may have transient states but one recurrent 
   CHECK_THROWS_WITH(semi_markov_steady_state({{{0.5, 0.4}, {0, 1}}, {1, 1}}),
                     Catch::Contains("is the sum of a row"));
   CHECK_THROWS_WITH(semi_markov_steady_state({{{0.5, 0.5}, {0, 1}}, {1, 0}}), Catch::Contains("m_min is 0"));
-  rc::check([] {
+  CHECK(rc::check([] {
     const std::size_t n = *rc::gen::inRange<std::size_t>(2, 7);
     SemiMarkov in;
     for (std::size_t i = 0; i < n; ++i) {
@@ -182,11 +182,11 @@ TEST_CASE("K117: semi-Markov chains may have transient states but one recurrent 
       for (std::size_t i = 0; i < n; ++i) next += steady.embedded[i] * in.transitions[i][j];
       RC_ASSERT(std::abs(next - steady.embedded[j]) < 1e-14);
     }
-  });
+  }));
 }
 
 TEST_CASE("K117 check 4: derivatives are finite differences, and cousins meet", "[K117]") {
-  rc::check([] {
+  CHECK(rc::check([] {
     PeriodEconomyAtGamma in;
     in.gamma = *rc::gen::inRange(42, 98) * 0.01;
     in.cv = *rc::gen::inRange(20, 120) * 0.01;
@@ -205,8 +205,8 @@ TEST_CASE("K117 check 4: derivatives are finite differences, and cousins meet", 
     RC_ASSERT(std::abs(slope - *here.slope) < 1e-5 * (std::abs(*here.slope) + here.part_cost));
     RC_ASSERT(std::abs(curvature - *here.curvature) <
               1e-5 * (std::abs(*here.curvature) + std::abs(*here.slope) + here.part_cost));
-  });
-  rc::check([] {
+  }));
+  CHECK(rc::check([] {
     PeriodEconomyAtGamma fixed;
     fixed.gamma = *rc::gen::inRange(41, 98) * 0.01;
     fixed.accounting = *rc::gen::element(Accounting::scheduled, Accounting::renewal);
@@ -219,7 +219,7 @@ TEST_CASE("K117 check 4: derivatives are finite differences, and cousins meet", 
     RC_ASSERT(std::abs(cost.part_cost / at.part_cost - 1) < 1e-12);
     RC_ASSERT(std::abs(cost.change_age_min - 60) < 1e-9);
     RC_ASSERT(std::abs(cost.mean_life_min / at.mean_life_min - 1) < 1e-12);
-  });
+  }));
 }
 
 TEST_CASE("K117 check 5: scheduled accounting meets the paper's 0.64 and 0.80-0.82", "[K117]") {
@@ -290,7 +290,7 @@ TEST_CASE("K117 check 7: sensitivity of the rational level", "[K117]") {
 }
 
 TEST_CASE("K117: the failure penalty makes gamma a minimum", "[K117]") {
-  rc::check([] {
+  CHECK(rc::check([] {
     PenaltyCalibration in;
     in.gamma = *rc::gen::inRange(50, 99) * 0.01;
     in.shape = 1.4512636664716478;
@@ -302,7 +302,7 @@ TEST_CASE("K117: the failure penalty makes gamma a minimum", "[K117]") {
     const PartCostAtGamma out = part_cost_at_gamma(at);
     RC_ASSERT(std::abs(*out.slope) < 1e-9 * *out.curvature);
     RC_ASSERT(*out.curvature > 0);
-  });
+  }));
   CHECK_THROWS_WITH(failure_penalty_for_gamma({0.42, 1.45126, 5, 60, 3, 37.5}),
                     Catch::Contains("gamma = 0.42, must be above exp(1/(shape mu) - 1)"));
 }
@@ -321,7 +321,7 @@ TEST_CASE("K117 check 8: the optimal change age against brute force", "[K117]") 
   CHECK(best.gamma == Approx(0.821).margin(5e-4));
   CHECK(best.cost_rate_per_min == Approx(1.689).margin(5e-4));
 
-  rc::check([] {
+  CHECK(rc::check([] {
     OptimalAgeIn in;
     in.law = *rc::gen::element(LifeLawKind::weibull, LifeLawKind::normal, LifeLawKind::exponential);
     in.mean_min = *rc::gen::inRange(1, 300);
@@ -345,7 +345,7 @@ TEST_CASE("K117 check 8: the optimal change age against brute force", "[K117]") 
     const bool never = in.law == LifeLawKind::exponential || (in.law == LifeLawKind::weibull && in.cv >= 1) ||
                        in.failure_cost <= in.planned_cost;
     if (never) RC_ASSERT(found.change_age_min == no_schedule_min);
-  });
+  }));
 }
 
 TEST_CASE("K117 check 9: the joint optimum against brute force", "[K117]") {
@@ -405,7 +405,7 @@ TEST_CASE("K117 check 11 and section F: gamma-percent lives", "[K117]") {
     in.gamma = gamma;
     CHECK(pulse_treatment_effect(in).gamma_life_ratio == Approx(ratio).margin(5.1e-4));
   }
-  rc::check([] {
+  CHECK(rc::check([] {
     PeriodAtGamma in;
     in.law = *rc::gen::element(LifeLawKind::weibull, LifeLawKind::normal, LifeLawKind::exponential);
     in.cv = *rc::gen::inRange(5, 46) * 0.01;
@@ -416,11 +416,11 @@ TEST_CASE("K117 check 11 and section F: gamma-percent lives", "[K117]") {
     RC_ASSERT(std::abs(life_min - 60) < 1e-10);
     back.gamma += 0.005;
     RC_ASSERT(gamma_percent_life(back).life_min < life_min);
-  });
+  }));
 }
 
 TEST_CASE("K117: speed and mean life are inverse", "[K117]") {
-  rc::check([] {
+  CHECK(rc::check([] {
     LifeWanted wanted;
     wanted.mean_min = *rc::gen::inRange(1, 600);
     wanted.feed_mm_rev = *rc::gen::inRange(1, 40) * 0.05;
@@ -430,7 +430,7 @@ TEST_CASE("K117: speed and mean life are inverse", "[K117]") {
     at.feed_mm_rev = wanted.feed_mm_rev;
     at.depth_mm = wanted.depth_mm;
     RC_ASSERT(std::abs(mean_life_for_regime(at).mean_min / wanted.mean_min - 1) < 1e-12);
-  });
+  }));
 }
 
 TEST_CASE("K117: bad input names itself", "[K117]") {

@@ -7,6 +7,8 @@
 
 #include "models/surface/k116_tool_steel_surface.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k116;
 
@@ -32,7 +34,7 @@ TEST_CASE("K116: the fatigue limits at 1e7 cycles are the printed ones", "[K116]
 }
 
 TEST_CASE("K116: life falls with stress and is the inverse of the limit", "[K116]") {
-  rc::check([] {
+  verstat::test::property([] {
     const auto finish = finishes[*rc::gen::inRange<std::size_t>(0, finishes.size())];
     const double stress = *rc::gen::inRange(5000, 9990) * 0.1;
     RC_ASSERT(life(finish, stress + 1) < life(finish, stress));
@@ -84,7 +86,7 @@ TEST_CASE("K116: austenite between and outside the rows of the tables", "[K116]"
 TEST_CASE("K116: the austenite share depends on the ratio of the lines only", "[K116]") {
   CHECK(retained_austenite_percent({100, 0}).percent == 0);
   CHECK(retained_austenite_percent({0, 3}).percent == 100);
-  rc::check([] {
+  verstat::test::property([] {
     const double alpha = *rc::gen::inRange(1, 1000) * 0.1;
     const double gamma = *rc::gen::inRange(1, 1000) * 0.1;
     const double scale = *rc::gen::inRange(1, 1000) * 0.01;

@@ -6,6 +6,8 @@
 
 #include "models/treatment/k103_magneto_abrasive_drills.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k103;
 
@@ -33,7 +35,7 @@ TEST_CASE("K103: the kinetics meet both printed states", "[K103]") {
 }
 
 TEST_CASE("K103: edge radius rises and roughness falls with time, and the time is the inverse", "[K103]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double before = *rc::gen::inRange(10, 200) * 0.1;
     const double after = before + *rc::gen::inRange(1, 200) * 0.1;
     const double t = *rc::gen::inRange(1, 300);

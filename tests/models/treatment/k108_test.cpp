@@ -6,6 +6,8 @@
 
 #include "models/treatment/k108_magnetic_abrasive_inserts.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k108;
 
@@ -31,14 +33,14 @@ TEST_CASE("K108: roughness runs from its start to the final level of the mixture
 TEST_CASE("K108: hardness grows from 1 to 1.135", "[K108]") {
   CHECK(hardness_factor({0}).factor == 1);
   CHECK(hardness_factor({480}).factor == Approx(1.135).margin(1e-5));
-  rc::check([] {
+  verstat::test::property([] {
     const double t = *rc::gen::inRange(0, 479);
     RC_ASSERT(hardness_factor({t + 1}).factor > hardness_factor({t}).factor);
   });
 }
 
 TEST_CASE("K108: edge radius and treatment time are inverse", "[K108]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double start = *rc::gen::inRange(0, 200) * 0.1;
     const double rate = *rc::gen::inRange(1, 200) * 1e-3;
     const double t_break = *rc::gen::inRange(0, 500);

@@ -4,6 +4,8 @@
 
 #include "models/treatment/k310_pulse_current_contact.h"
 
+#include "tests/property.h"
+
 using namespace verstat::models;
 using namespace verstat::models::k310;
 
@@ -14,7 +16,7 @@ TEST_CASE("K310: heat and energy grow with the square of the current", "[K310]")
 }
 
 TEST_CASE("K310: constriction temperature and voltage are inverse, and 0 V leaves the body cold", "[K310]") {
-  rc::check([] {
+  verstat::test::property([] {
     const double body_c = *rc::gen::inRange(-200, 400);
     const double voltage_v = *rc::gen::inRange(1, 2000) * 1e-3;
     const double hot_c = constriction_temperature({voltage_v, body_c}).temperature_c;
