@@ -120,6 +120,7 @@ export const en = {
   'study.history': 'Objective against trial number',
   'study.plane': 'Where the search looked',
   'study.planeHint': 'Colour: objective of the trial, cheapest at the lower end of the scale; the dearest tenth shares one colour.',
+  'study.planeThinned': 'Drawn: the cheapest and a sample of the others, {drawn} of {total}.',
   'study.axisX': 'Across',
   'study.axisY': 'Up',
   'study.trial': 'trial',

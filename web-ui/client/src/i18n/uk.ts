@@ -122,6 +122,7 @@ export const uk: Record<Key, string> = {
   'study.history': 'Мета залежно від номера проби',
   'study.plane': 'Де шукали',
   'study.planeHint': 'Колір: значення мети, найдешевші — на нижньому кінці шкали; найдорожча десята частина має один колір.',
+  'study.planeThinned': 'Показано найдешевші та вибірку решти: {drawn} з {total}.',
   'study.axisX': 'По горизонталі',
   'study.axisY': 'По вертикалі',
   'study.trial': 'проба',
