@@ -79,7 +79,12 @@ LongRunModel::LongRunModel(const scenarios::Scenario& scenario) : scenario_(scen
 OperationCost LongRunModel::operation_cost(const Operation& operation) const {
   const double machine_rate = scenarios::find_named(scenario_.machines, operation.machine)->rate_per_min;
   const operations::CutPlan plan = scenarios::plan(scenario_, operation);
-  if (!plan.edge || operation.tool.empty()) return {machine_rate * plan.main_time_min, plan.main_time_min, 0};
+  if (plan.breakage_probability > 0 && plan.edge && !operation.tool.empty())
+    throw scenarios::InputError("", fmt::format("operation \"{}\" can break its tool: its cost per part is left to the "
+                                                "simulation",
+                                                operation.name));
+  const double process_scrap = plan.scrap_probability * scenario_.parts.front().value;
+  if (!plan.edge || operation.tool.empty()) return {machine_rate * plan.main_time_min + process_scrap, plan.main_time_min, 0};
   const Tool& tool = *scenarios::find_named(scenario_.tools, operation.tool);
   const Insert& insert = *scenarios::find_named(scenario_.inserts, tool.insert);
   const Crew& crew = *scenarios::find_named(scenario_.crews, tool.crew);
@@ -105,7 +110,7 @@ OperationCost LongRunModel::operation_cost(const Operation& operation) const {
       (machine_rate + crew.rate_per_min) * changing +
       rates.planned_per_min * (insert_planned + tool.regrind_planned) +
       rates.failures_per_min * (insert_failure + tool.regrind_failure + tool.failure_damage + scrap);
-  return {.cost_per_part = plan.main_time_min * (machine_rate + cost_per_min),
+  return {.cost_per_part = plan.main_time_min * (machine_rate + cost_per_min) + process_scrap,
           .time_per_part_min = plan.main_time_min * (1 + changing),
           .failures_per_part = plan.main_time_min * rates.failures_per_min};
 }

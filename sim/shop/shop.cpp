@@ -155,12 +155,27 @@ sim::Task<void> Shop::machine_process(MachineUnit& machine) {
     if (operation.plan.edge && !operation.spec->tool.empty()) {
       MountedTool& tool = *machine.tools.at(operation.spec->tool);
       co_await turn(machine, tool, main_time_min, operation.plan.edge->mean_min, job);
+      if (breaks(machine, operation)) {
+        if (tool.scrap_stream.uniform() < tool.spec->failure_scrap_probability) job.spoiled = true;
+        co_await change_edge(machine, tool, true, operation.plan.edge->mean_min);
+      }
     } else {
       machine.clock.enter(MachineState::working, sim_.now());
       co_await sim_.delay(main_time_min);
     }
+    if (spoils(machine, operation)) job.spoiled = true;
     pass_on(job);
   }
+}
+
+// Numbers are drawn only where the process model gives a chance at all, from streams of their own.
+bool Shop::breaks(MachineUnit& machine, const PlannedOperation& operation) {
+  const double chance = operation.plan.breakage_probability;
+  return chance > 0 && machine.breakage_stream.uniform() < chance;
+}
+bool Shop::spoils(MachineUnit& machine, const PlannedOperation& operation) {
+  const double chance = operation.plan.scrap_probability;
+  return chance > 0 && machine.quality_stream.uniform() < chance;
 }
 
 void Shop::pass_on(Job job) {

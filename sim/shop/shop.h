@@ -85,6 +85,9 @@ class Shop {
   [[nodiscard]] sim::Task<void> change_edge(MachineUnit& machine, MountedTool& tool, bool after_failure,
                                             double mean_life_min);
   [[nodiscard]] std::optional<Job> next_job(Group& group);
+  /// Whether the tool breaks in this cut, and whether the part is spoiled by the process, as the plan says.
+  [[nodiscard]] static bool breaks(MachineUnit& machine, const PlannedOperation& operation);
+  [[nodiscard]] static bool spoils(MachineUnit& machine, const PlannedOperation& operation);
   void release(Job job);
   void pass_on(Job job);
   void reset_counts();

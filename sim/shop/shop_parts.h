@@ -48,12 +48,16 @@ struct Shop::MachineUnit {
               std::uint64_t replication)
       : name(std::move(unit_name)),
         group(&machine_group),
-        duration_stream(scenario.simulation.seed.value, name, "plain duration", replication) {}
+        duration_stream(scenario.simulation.seed.value, name, "plain duration", replication),
+        breakage_stream(scenario.simulation.seed.value, name, "tool breakage", replication),
+        quality_stream(scenario.simulation.seed.value, name, "process scrap", replication) {}
   std::string name;
   Group* group;
   StateClock clock;
   std::map<std::string, std::unique_ptr<MountedTool>> tools;  // by name
   sim::RandomStream duration_stream;
+  sim::RandomStream breakage_stream;
+  sim::RandomStream quality_stream;
 };
 
 }  // namespace verstat::shop
