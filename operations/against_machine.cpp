@@ -21,12 +21,13 @@ void limit_torque(CutPlan& plan, const PlanContext& context, double torque_nm, c
     at_most(plan, "torque_nm", torque_nm, context.machine->torque_max_nm, "N m", origin);
 }
 
-void limit_spindle_speed(CutPlan& plan, const PlanContext& context, double speed_rpm, const char* origin) {
+void limit_spindle_speed(CutPlan& plan, const PlanContext& context, double lowest_rpm, double highest_rpm,
+                         const char* origin) {
   if (context.machine == nullptr) return;
-  at_most(plan, "spindle_speed_max_rpm", speed_rpm, context.machine->spindle_speed_max_rpm, "rpm", origin);
+  at_most(plan, "spindle_speed_max_rpm", highest_rpm, context.machine->spindle_speed_max_rpm, "rpm", origin);
   if (context.machine->spindle_speed_min_rpm)
     plan.limits.push_back(
-        {"spindle_speed_min_rpm", speed_rpm, *context.machine->spindle_speed_min_rpm, false, "rpm", origin});
+        {"spindle_speed_min_rpm", lowest_rpm, *context.machine->spindle_speed_min_rpm, false, "rpm", origin});
 }
 
 void limit_feed_force(CutPlan& plan, const PlanContext& context, double force_n, const char* origin) {
