@@ -93,7 +93,10 @@ double emf_correlation(const InsertPreparation& spec) {
   in.emf_sd_mv = spec.emf_sd_mv;
   in.groups = 1;
   in.life_cv_total = spec.life_cv;
-  return k121::emf_life_scatter(in).rho;
+  const double rho = k121::emf_life_scatter(in).rho;
+  models::require(rho <= 0.995, "emf_sd_mv", spec.emf_sd_mv,
+                  "explains more than the scatter of life: must be lower, or life_cv higher");
+  return rho;
 }
 
 Life screened(const InsertPreparation& spec) {

@@ -41,8 +41,8 @@ struct InsertPreparation {
   double life_correlation = 0.67;      ///< of the test with life
   double breakage_correlation = 0.79;  ///< of the test with breakage, magnitude
   double emf_mean_mv = 5;
-  double emf_sd_mv = 1;
-  double emf_limit_mv = 6;
+  double emf_sd_mv = 0.4;
+  double emf_limit_mv = 5.4;
   double cutting_speed_m_min = 100;  ///< of the regime the inserts are sorted for
   double depth_of_cut_mm = 1;
   double feed_mm_rev = 0.3;

@@ -1,9 +1,9 @@
 #include "operations/kinds/insert_preparation.h"
 
-#include "tests/operations/gallery_example.h"
 #include "models/inspection/k119_cutter_certification.h"
 #include "models/inspection/k121_thermo_emf.h"
 #include "models/reliability/k117_rational_reliability.h"
+#include "tests/operations/gallery_example.h"
 #include "tests/property.h"
 
 using namespace verstat;
@@ -90,6 +90,8 @@ TEST_CASE("insert preparation: thermo-EMF") {
   CHECK(e.plan().scrap_probability == Approx(0.5));
   e.spec.emf_limit_mv = 11.9;  // rejects nothing
   CHECK(value(e.plan(), "mean_life_after_min") == 30);
+  e.spec.emf_sd_mv = 1;  // ln life would scatter by 0.93, more than a cv of 0.6 holds
+  CHECK_THROWS_WITH(e.plan(), Catch::Contains("emf_sd_mv"));
 }
 
 TEST_CASE("insert preparation: magnetic-abrasive baths") {
