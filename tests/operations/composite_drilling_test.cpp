@@ -2,8 +2,8 @@
 
 #include <cmath>
 
-#include "tests/operations/gallery_example.h"
 #include "models/drilling/k404_step_drill_delamination.h"
+#include "tests/operations/gallery_example.h"
 #include "tests/property.h"
 
 using namespace verstat;

@@ -3,9 +3,9 @@
 #include <array>
 #include <cmath>
 
-#include "tests/operations/gallery_example.h"
 #include "models/drilling/k114_sharpened_chisel_edge.h"
 #include "models/drilling/k308_hole_pair_tooling.h"
+#include "tests/operations/gallery_example.h"
 #include "tests/property.h"
 
 using namespace verstat;
