@@ -10,27 +10,31 @@ namespace verstat::app {
 namespace {
 
 void print_plan(const operations::CutPlan& plan, bool explain) {
-  const auto origin = [&](const char* text) { return explain ? fmt::format("   [{}]", text) : std::string(); };
+  const auto origin = [&](const char* text) {
+    return explain ? fmt::format("   [{}]", text) : std::string();
+  };
   for (const auto& q : plan.quantities)
-    fmt::print("{:<34} {:>14.6g} {:<10} {}{}\n", q.name, q.value, std::string_view(q.unit) == "1" ? "" : q.unit, q.meaning,
-               origin(q.origin));
+    fmt::print("{:<34} {:>14.6g} {:<10} {}{}\n", q.name, q.value,
+               std::string_view(q.unit) == "1" ? "" : q.unit, q.meaning, origin(q.origin));
   const auto element = [&](const operations::ElementLife& e) {
-    fmt::print("{:<34} {:>14.6g} {:<10} mean life of cutting, CV {:g}{}\n", fmt::format("life of {}", e.element), e.mean_min,
-               "min", e.cv, origin(e.origin));
+    fmt::print("{:<34} {:>14.6g} {:<10} mean life of cutting, CV {:g}{}\n",
+               fmt::format("life of {}", e.element), e.mean_min, "min", e.cv, origin(e.origin));
   };
   if (plan.edge) element(*plan.edge);
   for (const auto& e : plan.more_elements) element(e);
-  if (plan.scrap_probability > 0) fmt::print("{:<34} {:>14.6g}\n", "scrap_probability", plan.scrap_probability);
-  if (plan.breakage_probability > 0) fmt::print("{:<34} {:>14.6g}\n", "breakage_probability", plan.breakage_probability);
+  if (plan.scrap_probability > 0)
+    fmt::print("{:<34} {:>14.6g}\n", "scrap_probability", plan.scrap_probability);
+  if (plan.breakage_probability > 0)
+    fmt::print("{:<34} {:>14.6g}\n", "breakage_probability", plan.breakage_probability);
   for (const auto& q : plan.consumables)
-    fmt::print("{:<34} {:>14.6g} {:<10} per part: {}{}\n", q.name, q.value, std::string_view(q.unit) == "1" ? "" : q.unit,
-               q.meaning, origin(q.origin));
+    fmt::print("{:<34} {:>14.6g} {:<10} per part: {}{}\n", q.name, q.value,
+               std::string_view(q.unit) == "1" ? "" : q.unit, q.meaning, origin(q.origin));
   for (const auto& l : plan.limits)
-    fmt::print("{} {:<29} {:>14.6g} {} {:g} {}, margin {:+.1f} %{}\n", l.met() ? "ok  " : "OVER", l.name, l.value,
-               l.at_most ? "<=" : ">=", l.allowed, l.unit, 100 * l.margin(), origin(l.origin));
+    fmt::print("{} {:<29} {:>14.6g} {} {:g} {}, margin {:+.1f} %{}\n", l.met() ? "ok  " : "OVER", l.name,
+               l.value, l.at_most ? "<=" : ">=", l.allowed, l.unit, 100 * l.margin(), origin(l.origin));
   for (const auto& b : plan.bands)
-    fmt::print("{} {:<29} {:>14.6g} {}, forbidden {:g} to {:g}{}\n", b.inside() ? "OVER" : "ok  ", b.name, b.value, b.unit, b.low,
-               b.high, origin(b.origin));
+    fmt::print("{} {:<29} {:>14.6g} {}, forbidden {:g} to {:g}{}\n", b.inside() ? "OVER" : "ok  ", b.name,
+               b.value, b.unit, b.low, b.high, origin(b.origin));
   fmt::print("{}\n", plan.feasible() ? "feasible" : "NOT feasible");
 }
 
@@ -40,11 +44,13 @@ void add_plan(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();
   auto file = std::make_shared<std::string>();
   auto explain = std::make_shared<bool>(false);
-  CLI::App* command = program.add_subcommand("plan", "Plan one operation: time, life, forces, limits with margins");
+  CLI::App* command =
+      program.add_subcommand("plan", "Plan one operation: time, life, forces, limits with margins");
   command->add_option("OPERATION", *file, "operation file (JSON)")->required();
   command->add_flag("--explain", *explain, "say where every number comes from");
   add_json(*command, *options);
-  command->add_option("--set", options->set, "change one value: POINTER=VALUE; may be repeated")->allow_extra_args(false);
+  command->add_option("--set", options->set, "change one value: POINTER=VALUE; may be repeated")
+      ->allow_extra_args(false);
   command->footer("Example:\n  verstat plan scenarios/gallery/operations/turning.json --explain");
   command->callback([=] {
     std::vector<scenarios::Change> changes;

@@ -68,18 +68,16 @@ ordered_json to_json(const CutPlan& plan, bool explain) {
   for (const Quantity& q : plan.quantities) j["quantities"].push_back(quantity_json(q, explain));
   j["limits"] = ordered_json::array();
   for (const auto& l : plan.limits) {
-    ordered_json limit = {{"name", l.name},
-                          {"value", l.value},
-                          {l.at_most ? "at_most" : "at_least", l.allowed},
-                          {"unit", l.unit},
-                          {"margin", l.margin()},
-                          {"met", l.met()}};
+    ordered_json limit = {
+        {"name", l.name}, {"value", l.value},     {l.at_most ? "at_most" : "at_least", l.allowed},
+        {"unit", l.unit}, {"margin", l.margin()}, {"met", l.met()}};
     if (explain) limit["origin"] = l.origin;
     j["limits"].push_back(std::move(limit));
   }
   j["forbidden_bands"] = ordered_json::array();
   for (const auto& b : plan.bands) {
-    ordered_json band = {{"name", b.name}, {"value", b.value}, {"low", b.low}, {"high", b.high}, {"unit", b.unit}, {"inside", b.inside()}};
+    ordered_json band = {{"name", b.name}, {"value", b.value}, {"low", b.low},
+                         {"high", b.high}, {"unit", b.unit},   {"inside", b.inside()}};
     if (explain) band["origin"] = b.origin;
     j["forbidden_bands"].push_back(std::move(band));
   }

@@ -1,5 +1,6 @@
 #pragma once
-// Results as JSON: the command line's --json and the server's answers are made here, so that they cannot differ.
+// Results as JSON: the command line's --json and the server's answers are made here, so that they cannot
+// differ.
 
 #include <nlohmann/json.hpp>
 

@@ -8,7 +8,7 @@
 namespace verstat::sim::detail {
 namespace {
 
-constexpr std::size_t per_bucket = 8;  // events in a bucket when the year starts, on average
+constexpr std::size_t per_bucket = 5;  // events in a bucket when the year starts, on average
 constexpr std::size_t few = 64;        // so few are not worth a year
 
 }  // namespace

@@ -58,6 +58,7 @@ RandomStream::RandomStream(std::uint64_t seed, std::string_view entity, std::str
   state_[1] = mix(hash.low() + 2 * step);
   state_[2] = mix(hash.high() + step);
   state_[3] = mix(hash.high() + 2 * step);
+  next_ = draw();
 }
 
 }  // namespace verstat::sim

@@ -12,7 +12,8 @@ using namespace verstat;
 
 TEST_CASE("every operation kind has a gallery operation that plans") {
   std::set<std::string> shown;
-  for (const auto& entry : std::filesystem::directory_iterator(VERSTAT_SOURCE_DIR "/scenarios/gallery/operations")) {
+  for (const auto& entry :
+       std::filesystem::directory_iterator(VERSTAT_SOURCE_DIR "/scenarios/gallery/operations")) {
     INFO(entry.path().string());
     const auto operation = scenarios::load_operation(scenarios::read_json_file(entry.path().string()));
     CHECK_FALSE(operation.description.empty());

@@ -1,4 +1,3 @@
-#include "operations/kinds/turning.h"
 #include "scenarios/load.h"
 
 #include <limits>
@@ -6,6 +5,8 @@
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
 #include <rapidcheck.h>
+
+#include "operations/kinds/turning.h"
 
 using namespace verstat::scenarios;
 using nlohmann::json;

@@ -221,6 +221,9 @@ TEST_CASE("runs and studies are answered exactly as the command line prints them
   CHECK(serving.get("/api/v1/runs/3?replications=1").body ==
         store::to_json(*reader.run(3), true).dump(2) + "\n");
   CHECK(serving.get("/api/v1/studies/1").body == store::to_json(*reader.study(1)).dump(2) + "\n");
+  nlohmann::ordered_json head = store::to_json(*reader.study(1));
+  head.erase("trial_list");
+  CHECK(serving.get("/api/v1/studies/1?trials=0").body == head.dump(2) + "\n");
   const Answer answer = serving.get("/api/v1/runs/3");
   CHECK(answer.status == 200);
   CHECK(answer.headers.at("Content-Type") == "application/json");

@@ -215,14 +215,17 @@ Response Api::studies(const Target& target) const {
 }
 
 Response Api::study(const std::string& id_text, const Target& target) const {
-  check_query(target, {"format", "separator", "decimal"});
+  check_query(target, {"trials", "format", "separator", "decimal"});
   const std::int64_t id = id_of("study", id_text);
   const bool csv = word(target, "format", {"json", "csv"}) == "csv";
+  const bool trials = word(target, "trials", {"1", "0"}) == "1";
   const CsvFormat format = csv_format(target);
   const auto found = store::Reader(database_).study(id);
   if (!found) throw Refused{404, fmt::format("there is no study {}", id)};
   if (csv) return csv_response(trial_table(*found, format), fmt::format("study-{}.csv", id));
-  return json_response(store::to_json(*found));
+  ordered_json body = store::to_json(*found);
+  if (!trials) body.erase("trial_list");
+  return json_response(body);
 }
 
 Response Api::route(const Request& request, const Target& target) const {

@@ -5,7 +5,6 @@
 #include <rapidcheck.h>
 
 #include "models/criteria/k205_hierarchical_efficiency.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include "models/cutting/k102_insert_nose_radius_forces.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -3,7 +3,6 @@
 #include <rapidcheck.h>
 
 #include "models/cutting/k106_cylindrical_rake_hard_turning.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -7,7 +7,6 @@
 #include <rapidcheck.h>
 
 #include "models/drilling/k111_reverse_tilt_chisel_edge.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

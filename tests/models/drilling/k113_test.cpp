@@ -5,7 +5,6 @@
 #include <rapidcheck.h>
 
 #include "models/drilling/k113_through_hole_feed_change.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

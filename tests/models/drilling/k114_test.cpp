@@ -8,7 +8,6 @@
 
 #include "models/drilling/k111_reverse_tilt_chisel_edge.h"
 #include "models/drilling/k114_sharpened_chisel_edge.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -7,7 +7,6 @@
 #include <rapidcheck.h>
 
 #include "models/drilling/k308_hole_pair_tooling.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

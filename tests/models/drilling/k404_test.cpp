@@ -8,7 +8,6 @@
 #include <rapidcheck.h>
 
 #include "models/drilling/k404_step_drill_delamination.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

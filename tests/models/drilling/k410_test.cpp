@@ -5,7 +5,6 @@
 #include <rapidcheck.h>
 
 #include "models/drilling/k410_drilling_fem.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include "models/dynamics/k201_bearing_resonance.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -7,7 +7,6 @@
 
 #include "models/dynamics/elastic_rod.h"
 #include "models/dynamics/k206_spindle_base_frequencies.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

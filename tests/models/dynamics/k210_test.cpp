@@ -7,7 +7,6 @@
 #include <rapidcheck.h>
 
 #include "models/dynamics/k210_hydrostatic_bearing.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

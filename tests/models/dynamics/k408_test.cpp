@@ -8,7 +8,6 @@
 #include <rapidcheck.h>
 
 #include "models/dynamics/k408_stepped_axial_tool.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

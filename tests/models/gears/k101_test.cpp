@@ -8,7 +8,6 @@
 #include "models/gears/hobbing_process.h"
 #include "models/gears/k101_hobbing_chip_thickness.h"
 #include "models/math/trig_degrees.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

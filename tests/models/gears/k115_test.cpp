@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include "models/gears/k115_hyperboloid_roller.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

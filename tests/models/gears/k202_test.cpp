@@ -7,7 +7,6 @@
 
 #include "models/gears/k202_hyperboloid_forming.h"
 #include "models/math/solve.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include "models/gears/k405_hyperboloid_contact.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

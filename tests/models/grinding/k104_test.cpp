@@ -7,7 +7,6 @@
 
 #include "models/grinding/k104_cutoff_wheel_sides.h"
 #include "models/math/solve.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include "models/grinding/k112_stone_turning.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

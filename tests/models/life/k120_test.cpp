@@ -5,7 +5,6 @@
 #include <rapidcheck.h>
 
 #include "models/life/k120_deep_hole_guide_pads.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

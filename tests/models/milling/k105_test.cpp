@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include "models/milling/k105_tslot_chip_reinteraction.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -8,7 +8,6 @@
 #include <rapidcheck.h>
 
 #include "models/milling/k401_ball_end_hardened_steel_forces.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -8,7 +8,6 @@
 #include <rapidcheck.h>
 
 #include "models/milling/k406_ball_end_energy_forces.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -7,7 +7,6 @@
 #include <rapidcheck.h>
 
 #include "models/reliability/k204_safety_clutch.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include "models/surface/k116_tool_steel_surface.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

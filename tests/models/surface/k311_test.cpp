@@ -6,7 +6,6 @@
 
 #include "models/math/solve.h"
 #include "models/surface/k311_lapping_cycle.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

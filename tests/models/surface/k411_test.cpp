@@ -8,7 +8,6 @@
 #include <rapidcheck.h>
 
 #include "models/surface/k411_finish_turning_roughness.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include "models/thermal/k110_contact_hot_spots.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

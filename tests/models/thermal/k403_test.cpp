@@ -6,7 +6,6 @@
 
 #include "models/math/gauss_legendre.h"
 #include "models/thermal/k403_unsteady_cutting_temperature.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include "models/toolpath/k107_round_insert_notch_clashes.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

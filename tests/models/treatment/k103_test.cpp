@@ -5,7 +5,6 @@
 #include <rapidcheck.h>
 
 #include "models/treatment/k103_magneto_abrasive_drills.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -5,7 +5,6 @@
 #include <rapidcheck.h>
 
 #include "models/treatment/k108_magnetic_abrasive_inserts.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -6,7 +6,6 @@
 #include <rapidcheck.h>
 
 #include "models/treatment/k208_drill_flank_kinematics.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

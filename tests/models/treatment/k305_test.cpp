@@ -5,7 +5,6 @@
 #include <rapidcheck.h>
 
 #include "models/treatment/k305_thermo_friction_surface.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -3,7 +3,6 @@
 #include <rapidcheck.h>
 
 #include "models/treatment/k310_pulse_current_contact.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

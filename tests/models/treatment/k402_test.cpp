@@ -6,7 +6,6 @@
 
 #include "models/math/solve.h"
 #include "models/treatment/k402_discrete_coating.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

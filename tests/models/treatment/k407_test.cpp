@@ -7,7 +7,6 @@
 
 #include "models/math/solve.h"
 #include "models/treatment/k407_thread_rolling.h"
-
 #include "tests/property.h"
 
 using namespace verstat::models;

@@ -82,6 +82,8 @@ export const api = {
   run: (id: string, replications: boolean, signal?: AbortSignal) =>
     get<Run>(`runs/${encodeURIComponent(id)}${replications ? '?replications=1' : ''}`, signal),
   studies: (limit: number, offset: number, signal?: AbortSignal) => get<StudyPage>(`studies?limit=${limit}&offset=${offset}`, signal),
+  /** Without its trials: what was found, for lists. */
+  studyHead: (id: string, signal?: AbortSignal) => get<Omit<Study, 'trial_list'>>(`studies/${encodeURIComponent(id)}?trials=0`, signal),
   study: (id: string, signal?: AbortSignal) => get<Study>(`studies/${encodeURIComponent(id)}`, signal),
   models: (signal?: AbortSignal) => get<ModelList>('models', signal),
   model: (key: string, signal?: AbortSignal) => get<ModelFunction>(`models/${encodeURIComponent(key)}`, signal),

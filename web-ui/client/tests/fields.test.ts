@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { FieldError, parseNumber, rangeText, readField } from '../src/logic/fields';
+import { FieldError, parseNumber, provenanceKind, rangeText, readField } from '../src/logic/fields';
 import type { Field } from '../src/types';
 
 const field = (kind: Field['kind'], required = true): Field => ({ name: 'x', symbol: 'x', unit: '1', type: kind, kind, meaning: '', required });
@@ -15,6 +15,16 @@ describe('numbers as people type them', () => {
     ['.5', 0.5],
   ])('%s', (text, value) => expect(parseNumber(text)).toBe(value));
   it.each(['', 'abc', '1,234.5', '1.2.3', '0x10', 'Infinity', 'NaN', '1e999', '--1', '5 mm'])('refuses %s', (text) => expect(parseNumber(text)).toBeNull());
+});
+
+describe('provenance', () => {
+  it.each([
+    ['paper', 'paper'],
+    ['paper, repaired', 'repaired'],
+    ['paper, reconstructed', 'reconstructed'],
+    ['COMPLETION', 'completion'],
+    ['hearsay', undefined],
+  ])('%s', (text, kind) => expect(provenanceKind(text)).toBe(kind));
 });
 
 describe('fields of a form', () => {

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { bestSoFar, distinctPlans, quantile, ranked } from '../src/logic/trials';
+import { bestSoFar, distinctPlans, quantile, ranked, thinned } from '../src/logic/trials';
 import { historyCeiling, historyOption } from '../src/charts/trials';
 import { matchRoute } from '../src/routes';
 import type { Trial } from '../src/types';
@@ -19,6 +19,17 @@ describe('trials of a study', () => {
   it('plans that agree to three digits are listed once, by their cheapest trial', () => {
     const near = (number: number, value: number, objective: number): Trial => ({ ...trial(number, objective), values: [value, 46.97] });
     expect(distinctPlans([near(1, 0.4704, 5), near(2, 0.4703, 4), near(3, 0.48, 6)]).map((t) => t.number)).toEqual([2, 3]);
+  });
+  it('are thinned to the cheapest and an even sample of the others', () => {
+    const many = Array.from({ length: 1000 }, (_, k) => trial(k + 1, 1000 - k));
+    const some = thinned(many, 100);
+    expect(some).toHaveLength(100);
+    expect(new Set(some.map((t) => t.number)).size).toBe(100);
+    // The cheapest fifty are the last ones; the dearer ones are spread over all the rest.
+    expect(some.filter((t) => t.number > 950)).toHaveLength(50);
+    expect(some.filter((t) => t.number <= 475)).toHaveLength(25);
+    expect(thinned(many, 1000)).toEqual(many);
+    expect(thinned([trial(1, null)], 5)).toEqual([]);
   });
   it('quantiles are members of the list', () => {
     expect(quantile([4, 1, 3, 2], 0.5)).toBe(2);

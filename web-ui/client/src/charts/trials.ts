@@ -24,9 +24,9 @@ const axis = (theme: Theme, name: string) => ({
 export function historyCeiling(trials: readonly Trial[], today: number | null): number {
   const values = trials.flatMap((x) => (x.objective === null ? [] : [x.objective]));
   if (values.length === 0) return NaN;
-  const low = Math.min(...values);
+  const low = quantile(values, 0);
   const high = Math.max(quantile(values, 0.9), today ?? -Infinity);
-  return Math.min(Math.max(...values), high + 0.15 * (high - low));
+  return Math.min(quantile(values, 1), high + 0.15 * (high - low));
 }
 
 export function historyOption(trials: readonly Trial[], objective: string, unit: string, today: number | null, theme: Theme): Option {
@@ -83,7 +83,7 @@ export function planeOption(trials: readonly Trial[], variables: readonly Variab
     data: [[m.at[x] ?? 0, m.at[y] ?? 0]],
     tooltip: { formatter: () => `${m.name}: ${significant(m.at[x] ?? 0)}; ${significant(m.at[y] ?? 0)}` },
   });
-  const low = values.length > 0 ? Math.min(...values) : 0;
+  const low = values.length > 0 ? quantile(values, 0) : 0;
   const high = values.length > 0 ? quantile(values, 0.9) : 1;
   return {
     grid: { left: 58, right: 86, top: 16, bottom: 42 },

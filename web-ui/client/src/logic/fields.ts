@@ -70,3 +70,11 @@ export function rangeText(field: Field): string {
   if (low) return field.above !== undefined ? `> ${field.above}` : `≥ ${String(field.at_least)}`;
   return high;
 }
+
+const provenances = ['paper', 'repaired', 'reconstructed', 'completion'] as const;
+
+/** The deciding word of a provenance: "paper, repaired" is repaired, "COMPLETION" a completion. */
+export function provenanceKind(provenance: string): (typeof provenances)[number] | undefined {
+  const last = provenance.toLowerCase().split(/[\s,]+/).at(-1);
+  return provenances.find((p) => p === last);
+}

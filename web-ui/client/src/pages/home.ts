@@ -111,7 +111,7 @@ export const homePage: PageMaker = async (context) => {
   showStudies(studies);
 
   const latest = studies.studies.find((s) => s.status === 'finished');
-  const report = latest ? await api.study(String(latest.id), context.signal) : undefined;
+  const report = latest ? await api.studyHead(String(latest.id), context.signal) : undefined;
   return {
     title: t('home.title'),
     body: fragment(

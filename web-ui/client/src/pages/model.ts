@@ -3,8 +3,8 @@
 import { api, ApiError } from '../api';
 import { fragment, h, table, type Child } from '../dom';
 import { significant, unitText } from '../format';
-import { t, type Key } from '../i18n';
-import { FieldError, rangeText, readField, writeField } from '../logic/fields';
+import { t } from '../i18n';
+import { FieldError, provenanceKind, rangeText, readField, writeField } from '../logic/fields';
 import { section, type PageMaker } from '../page';
 import type { Field, ModelFunction } from '../types';
 
@@ -52,8 +52,8 @@ function outputTable(f: ModelFunction, outputs: Record<string, unknown>): HTMLEl
 }
 
 function provenanceText(provenance: string): string {
-  const key = `prov.${provenance.toLowerCase()}`;
-  return key === 'prov.paper' || key === 'prov.completion' || key === 'prov.repaired' || key === 'prov.reconstructed' ? t(key as Key) : provenance;
+  const kind = provenanceKind(provenance);
+  return kind ? t(`prov.${kind}`) : provenance;
 }
 
 export const modelPage: PageMaker = async (context, [key = '']) => {
@@ -152,7 +152,7 @@ export const modelPage: PageMaker = async (context, [key = '']) => {
       h(
         'p',
         { class: 'facts' },
-        h('span', { class: `flag ${f.provenance.toLowerCase()}` }, f.provenance),
+        h('span', { class: `flag ${provenanceKind(f.provenance) ?? ''}` }, f.provenance),
         ` ${provenanceText(f.provenance)}. `,
         h('span', { class: 'muted' }, `${f.source.id}, ${f.equation}: ${[f.source.authors, f.source.title, f.source.published].map((s) => s.replace(/\.$/, '')).join('. ')}.`),
       ),

@@ -3,6 +3,7 @@
 import { api } from '../api';
 import { fragment, h, table } from '../dom';
 import { t } from '../i18n';
+import { provenanceKind } from '../logic/fields';
 import { section, type PageMaker } from '../page';
 import type { FunctionHead } from '../types';
 
@@ -31,8 +32,8 @@ export const modelsPage: PageMaker = async (context) => {
             [
               { head: t('col.function'), rowHead: true, cell: (f) => h('a', { href: `#/models/${f.key}` }, h('code', {}, f.key)) },
               { head: t('col.meaning'), cell: (f) => f.summary },
-              { head: '', cell: (f) => h('span', { class: 'muted' }, f.role) },
-              { head: t('models.source'), cell: (f) => h('span', {}, f.equation, ' ', h('span', { class: `flag ${f.provenance.toLowerCase()}` }, f.provenance)) },
+              { head: t('models.role'), cell: (f) => h('span', { class: 'muted' }, f.role) },
+              { head: t('models.source'), cell: (f) => h('span', {}, f.equation, ' ', h('span', { class: `flag ${provenanceKind(f.provenance) ?? ''}` }, f.provenance)) },
             ],
             found,
           ),

@@ -6,12 +6,12 @@ import { historyOption, planeOption } from '../charts/trials';
 import { fragment, h, table, type Child } from '../dom';
 import { dateTime, estimateText, fixed, significant, unitText, whole } from '../format';
 import { language, named, t } from '../i18n';
-import { distinctPlans } from '../logic/trials';
+import { distinctPlans, thinned } from '../logic/trials';
 import { changeList, downloadButton, section, type PageContext, type PageMaker } from '../page';
 import type { PlanPoint, Study, Trial } from '../types';
 
 /** What the study found in a sentence: the program's own words, or their translation from the same numbers. */
-export function findingWords(study: Study): string {
+export function findingWords(study: Pick<Study, 'result'>): string {
   const r = study.result;
   if (language() === 'en' && r.words) return r.words.replace(/\+-/g, '±');
   const base = r.baseline?.simulated.mean;
@@ -87,14 +87,17 @@ function pointSection(study: Study): HTMLElement {
   );
 }
 
+const mostDrawn = 4000;
+
 function planeSection(context: PageContext, study: Study): HTMLElement {
+  const drawn = thinned(study.trial_list, mostDrawn);
   let x = 0;
   let y = Math.min(1, study.variables.length - 1);
   const at = (p: PlanPoint | undefined) => (p ? study.variables.map((v) => p.values.find((q) => q.pointer === v.pointer)?.value ?? 0) : undefined);
   const bestAt = at(study.result.best);
   const todayAt = at(study.result.baseline);
   const picture = chart(context, t('study.plane'), 'medium', (theme) =>
-    planeOption(study.trial_list, study.variables, x, y, study.result.unit ?? '', bestAt && { name: t('col.best'), at: bestAt }, todayAt && { name: t('col.today'), at: todayAt }, theme),
+    planeOption(drawn, study.variables, x, y, study.result.unit ?? '', bestAt && { name: t('col.best'), at: bestAt }, todayAt && { name: t('col.today'), at: todayAt }, theme),
   );
   const choice = (id: string, label: string, chosen: number, set: (k: number) => void) => {
     const select = h('select', { id, onchange: () => { set(Number(select.value)); picture.redraw(); } }, study.variables.map((v, k) => h('option', { value: k, selected: k === chosen }, v.name)));
@@ -107,7 +110,7 @@ function planeSection(context: PageContext, study: Study): HTMLElement {
       ? h('p', { class: 'row no-print' }, choice('axis-x', t('study.axisX'), x, (k) => (x = k)), choice('axis-y', t('study.axisY'), y, (k) => (y = k)))
       : null,
     picture.element,
-    h('p', { class: 'muted' }, t('study.planeHint')),
+    h('p', { class: 'muted' }, t('study.planeHint'), drawn.length < study.trial_list.length && drawn.length === mostDrawn ? ` ${t('study.planeThinned', { drawn: whole(drawn.length), total: whole(study.trial_list.length) })}` : null),
   );
 }
 
