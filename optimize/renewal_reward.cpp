@@ -80,11 +80,13 @@ OperationCost LongRunModel::operation_cost(const Operation& operation) const {
   const double machine_rate = scenarios::find_named(scenario_.machines, operation.machine)->rate_per_min;
   const operations::CutPlan plan = scenarios::plan(scenario_, operation);
   if (plan.breakage_probability > 0 && plan.edge && !operation.tool.empty())
-    throw scenarios::InputError("", fmt::format("operation \"{}\" can break its tool: its cost per part is left to the "
-                                                "simulation",
-                                                operation.name));
+    throw scenarios::InputError(
+        "", fmt::format("operation \"{}\" can break its tool: its cost per part is left to the "
+                        "simulation",
+                        operation.name));
   const double process_scrap = plan.scrap_probability * scenario_.parts.front().value;
-  if (!plan.edge || operation.tool.empty()) return {machine_rate * plan.main_time_min + process_scrap, plan.main_time_min, 0};
+  if (!plan.edge || operation.tool.empty())
+    return {machine_rate * plan.main_time_min + process_scrap, plan.main_time_min, 0};
   const Tool& tool = *scenarios::find_named(scenario_.tools, operation.tool);
   const Insert& insert = *scenarios::find_named(scenario_.inserts, tool.insert);
   const Crew& crew = *scenarios::find_named(scenario_.crews, tool.crew);

@@ -59,7 +59,8 @@ void plan_of(benchmark::State& state, const std::string& file) {
 
 const int registered = [] {
   for (const auto& entry : std::filesystem::directory_iterator("scenarios/gallery/operations"))
-    benchmark::RegisterBenchmark(("plan/" + entry.path().stem().string()).c_str(), plan_of, entry.path().string());
+    benchmark::RegisterBenchmark(("plan/" + entry.path().stem().string()).c_str(), plan_of,
+                                 entry.path().string());
   return 0;
 }();
 

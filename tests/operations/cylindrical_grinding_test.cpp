@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "models/grinding/k302_combined_grinding_roughness.h"
-#include "tests/operations/gallery_example.h"
+#include "tests/operations/process_example.h"
 #include "tests/property.h"
 
 namespace verstat::operations {

@@ -2,7 +2,7 @@
 
 #include "operations/kinds/elastic_grinding.h"
 
-#include "tests/operations/gallery_example.h"
+#include "tests/operations/process_example.h"
 #include "tests/property.h"
 
 namespace verstat::operations {

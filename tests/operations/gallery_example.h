@@ -1,81 +1,60 @@
 #pragma once
-// What the tests of operation kinds share: the example of the gallery, and what is wrong with a changed one.
+// An operation of the gallery with its specification in C++, to be varied by tests.
 
-#include <fstream>
-#include <stdexcept>
 #include <string>
 
-#include <nlohmann/json.hpp>
+#include <catch2/catch.hpp>
 
-#include "operations/fields.h"
 #include "operations/kind.h"
+#include "scenarios/json_text.h"
 #include "scenarios/model_json.h"
+#include "scenarios/plan_json.h"
 
 namespace verstat::test {
 
-using ProcessBinding = models::detail::Binding<operations::Process>;
+template <class Spec>
+struct GalleryExample {
+  scenarios::OperationFile file;
+  Spec spec;
 
-inline nlohmann::json gallery_json(const std::string& name) {
-  std::ifstream file(VERSTAT_SOURCE_DIR "/scenarios/gallery/operations/" + name + ".json");
-  if (!file) throw std::runtime_error("no gallery operation " + name + "; run from the root of the tree");
-  return nlohmann::json::parse(file);
+  explicit GalleryExample(const std::string& name = Spec::kind)
+      : file(scenarios::load_operation(scenarios::read_json_file(
+            std::string(VERSTAT_SOURCE_DIR "/scenarios/gallery/operations/") + name + ".json"))) {
+    REQUIRE(file.process.as<Spec>() != nullptr);
+    spec = *file.process.as<Spec>();
+  }
+  [[nodiscard]] operations::PlanContext context() const {
+    return {.edge = file.edge_life ? &*file.edge_life : nullptr, .machine = &file.machine_limits};
+  }
+  /// The plan of the specification as it stands now.
+  [[nodiscard]] operations::CutPlan plan() const { return operations::detail::plan_of(spec, context()); }
+};
+
+inline double value(const operations::CutPlan& plan, const std::string& name) {
+  INFO(name);
+  const auto found = plan.value_of(name);
+  REQUIRE(found.has_value());
+  return *found;
 }
 
-inline operations::Process process_of(const nlohmann::json& json) {
-  operations::Process process;
+inline const operations::Limit& limit(const operations::CutPlan& plan, const std::string& name) {
+  for (const operations::Limit& l : plan.limits)
+    if (name == l.name) return l;
+  FAIL("no limit " << name);
+  throw std::logic_error("unreachable");
+}
+
+/// What is written is read again to the same, member by member.
+template <class Spec>
+void check_round_trip(const GalleryExample<Spec>& example) {
+  using Binding = models::detail::Binding<operations::Process>;
+  const models::Value written = Binding::write(example.file.process);
+  operations::Process again;
   models::Field field;
   field.name = "process";
-  ProcessBinding::read(process, scenarios::to_value(json), field);
-  ProcessBinding::check(process, field);
-  return process;
-}
-
-/// The specification of a gallery operation.
-template <class Spec>
-Spec gallery_spec(const std::string& name) {
-  const operations::Process process = process_of(gallery_json(name).at("process"));
-  if (process.as<Spec>() == nullptr) throw std::runtime_error(name + " is of another kind");
-  return *process.as<Spec>();
-}
-
-inline operations::MachineLimits gallery_machine(const std::string& name) {
-  operations::MachineLimits limits;
-  models::detail::Binding<operations::MachineLimits>::read(
-      limits, scenarios::to_value(gallery_json(name).at("machine_limits")), models::Field{});
-  return limits;
-}
-
-/// Written and read again, the operation is the same.
-inline bool survives_json(const std::string& name) {
-  const operations::Process process = process_of(gallery_json(name).at("process"));
-  const models::Value written = ProcessBinding::write(process);
-  return ProcessBinding::write(process_of(scenarios::to_json(written))) == written;
-}
-
-/// The message with which a plan is refused; empty when it is not.
-template <class Spec>
-std::string refusal(const Spec& spec) {
-  try {
-    (void)plan(spec, operations::PlanContext{});
-    return {};
-  } catch (const std::exception& e) {
-    return e.what();
-  }
-}
-/// The message with which a changed JSON is refused.
-inline std::string refusal(const nlohmann::json& process) {
-  try {
-    (void)process_of(process);
-    return {};
-  } catch (const std::exception& e) {
-    return e.what();
-  }
-}
-
-inline const operations::Limit& limit_of(const operations::CutPlan& plan, const std::string& name) {
-  for (const operations::Limit& limit : plan.limits)
-    if (name == limit.name) return limit;
-  throw std::runtime_error("no limit " + name);
+  Binding::read(again, scenarios::to_value(scenarios::to_json(written)), field);
+  CHECK(scenarios::to_json(Binding::write(again)) == scenarios::to_json(written));
+  CHECK(again.plan(example.context()).main_time_min == example.plan().main_time_min);
 }
 
 }  // namespace verstat::test

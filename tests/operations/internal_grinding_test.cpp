@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "models/grinding/k303_cutting_surface_height.h"
-#include "tests/operations/gallery_example.h"
+#include "tests/operations/process_example.h"
 #include "tests/property.h"
 
 namespace verstat::operations {

@@ -3,7 +3,7 @@
 #include "operations/kinds/lapping.h"
 
 #include "models/surface/k311_lapping_cycle.h"
-#include "tests/operations/gallery_example.h"
+#include "tests/operations/process_example.h"
 #include "tests/property.h"
 
 namespace verstat::operations {
