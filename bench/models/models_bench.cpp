@@ -14,8 +14,8 @@ using namespace verstat;
 
 namespace {
 
-void expect(benchmark::State& state, double got, double expected) {
-  if (std::abs(got - expected) > 1e-6 * std::abs(expected)) state.SkipWithError("wrong answer");
+void expect(benchmark::State& state, double got, double expected, double rel_tol = 1e-6) {
+  if (std::abs(got - expected) > rel_tol * std::abs(expected)) state.SkipWithError("wrong answer");
 }
 
 void part_cost(benchmark::State& state) {
@@ -33,7 +33,7 @@ BENCHMARK(part_cost);
 
 void joint_optimum(benchmark::State& state) {
   const models::k117::JointOptimumIn in;
-  expect(state, models::k117::joint_speed_gamma_optimum(in).part_cost, 125.411);
+  expect(state, models::k117::joint_speed_gamma_optimum(in).part_cost, 125.41, 1e-4);  // K117 check 9
   for (auto _ : state) benchmark::DoNotOptimize(models::k117::joint_speed_gamma_optimum(in));
   state.SetItemsProcessed(static_cast<std::int64_t>(state.iterations()));
 }
