@@ -66,15 +66,13 @@ std::uint64_t seed_of(const SQLite::Column& c) {
   return std::stoull(c.getString());
 }
 
-std::int64_t scenario_id(SQLite::Database& db, const std::string& name, const std::string& currency,
-                         const std::string& text) {
+std::int64_t scenario_id(SQLite::Database& db, const std::string& name, const std::string& text) {
   SQLite::Statement find(db, "SELECT id FROM scenario WHERE text = ?");
   find.bind(1, text);
   if (find.executeStep()) return find.getColumn(0).getInt64();
-  SQLite::Statement add(db, "INSERT INTO scenario(name, currency, text) VALUES(?, ?, ?)");
+  SQLite::Statement add(db, "INSERT INTO scenario(name, text) VALUES(?, ?)");
   add.bind(1, name);
-  add.bind(2, currency);
-  add.bind(3, text);
+  add.bind(2, text);
   add.exec();
   return db.getLastInsertRowid();
 }
@@ -143,9 +141,9 @@ std::int64_t Writer::add_run(const Run& run) {
     SQLite::Statement add(
         *db_,
         "INSERT INTO run(label, scenario_id, changes, seed, replications, horizon_min, warmup_min, "
-        "elapsed_s, version, platform, created) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        "elapsed_s, version, platform, created, currency) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     add.bind(1, run.header.label);
-    add.bind(2, scenario_id(*db_, run.header.scenario_name, run.currency, run.scenario_text));
+    add.bind(2, scenario_id(*db_, run.header.scenario_name, run.scenario_text));
     add.bind(3, run.header.changes);
     add.bind(4, std::to_string(run.header.seed));
     add.bind(5, run.header.replications);
@@ -155,6 +153,7 @@ std::int64_t Writer::add_run(const Run& run) {
     add.bind(9, run.header.provenance.version);
     add.bind(10, run.header.provenance.platform);
     add.bind(11, run.header.provenance.created);
+    add.bind(12, run.currency);
     add.exec();
     const std::int64_t id = db_->getLastInsertRowid();
     SQLite::Statement add_kpi(*db_, "INSERT INTO run_kpi VALUES(?, ?, ?, ?, ?, ?)");
@@ -194,7 +193,7 @@ std::int64_t Writer::begin_study(const Study& study) {
         "platform, created, result) VALUES(?, 'running', ?, ?, ?, ?, ?, ?, ?, ?, '{}')");
     add.bind(1, study.header.name);
     add.bind(2, study.header.objective);
-    add.bind(3, scenario_id(*db_, study.header.scenario_name, "", study.scenario_text));
+    add.bind(3, scenario_id(*db_, study.header.scenario_name, study.scenario_text));
     add.bind(4, study.changes);
     add.bind(5, study.study_text);
     add.bind(6, std::to_string(study.header.seed));
@@ -335,7 +334,7 @@ std::optional<Run> Reader::run(std::int64_t id, bool replications) const {
     SQLite::Transaction snapshot(*db_);
     Run run;
     {
-      SQLite::Statement q(*db_, fmt::format("SELECT {}, scenario.text, scenario.currency FROM run "
+      SQLite::Statement q(*db_, fmt::format("SELECT {}, scenario.text, run.currency FROM run "
                                             "JOIN scenario ON scenario.id = run.scenario_id WHERE run.id = ?",
                                             run_columns));
       q.bind(1, id);

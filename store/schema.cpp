@@ -15,12 +15,13 @@ constexpr std::array steps = {R"sql(
 CREATE TABLE scenario(
   id INTEGER PRIMARY KEY,
   name TEXT NOT NULL,
-  currency TEXT NOT NULL,
   text TEXT NOT NULL UNIQUE
 ) STRICT;
 CREATE TABLE run(
   id INTEGER PRIMARY KEY,
   label TEXT NOT NULL,
+  -- of the run, not of the scenario text: a change may set it
+  currency TEXT NOT NULL,
   scenario_id INTEGER NOT NULL REFERENCES scenario(id),
   changes TEXT NOT NULL,
   seed TEXT NOT NULL,

@@ -93,6 +93,8 @@ TEST_CASE("a study keeps its trials by the bits of their variables") {
   CHECK(back->trials.at(0).values == std::vector{tricky});
   CHECK_FALSE(back->trials.at(1).objective);
   CHECK(back->best_run == run);
+  // The study came first with the same scenario text: the run keeps its own currency.
+  CHECK(Reader(file.path).run(run)->currency == "UAH");
 }
 
 TEST_CASE("a value that is not finite is refused and leaves nothing behind") {
