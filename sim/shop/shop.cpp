@@ -44,9 +44,14 @@ Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication)
       tools_(scenario.tools.size()),
       parts_(scenario.parts.size()) {
   for (const Operation& operation : scenario.operations) {
-    PlannedOperation planned{&operation, scenarios::plan(scenario, operation), {}};
+    PlannedOperation planned{
+        &operation, index_of(scenario.machines, operation.machine), scenarios::plan(scenario, operation), {}};
     if (planned.plan.time_law) planned.time_law = law_of(*planned.plan.time_law);
     operations_.push_back(std::move(planned));
+  }
+  for (const scenarios::PartType& part : scenario.parts) {
+    auto& route = routes_.emplace_back();
+    for (const std::string& name : part.route) route.push_back(index_of(scenario.operations, name));
   }
   for (const scenarios::Crew& crew : scenario.crews) crews_.push_back(std::make_unique<CrewUnit>(sim_, crew));
   for (const scenarios::Machine& machine : scenario.machines) {
@@ -68,8 +73,7 @@ Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication)
   for (std::size_t p = 0; p < scenario.parts.size(); ++p) {
     const scenarios::PartType& part = scenario.parts[p];
     if (std::holds_alternative<scenarios::AlwaysAvailable>(part.supply)) {
-      const auto* first = scenarios::find_named(scenario.operations, part.route.front());
-      groups_[index_of(scenario.machines, first->machine)]->unlimited_parts.push_back(p);
+      groups_[operations_[routes_[p].front()].group]->unlimited_parts.push_back(p);
     } else {
       sim_.spawn("arrivals of " + part.name, arrival_process(p));
     }
@@ -118,10 +122,8 @@ sim::Task<void> Shop::arrival_process(std::size_t part) {
 
 // A job enters the queue of the machines that do its next operation.
 void Shop::release(Job job) {
-  const std::string& operation = scenario_.parts[job.part].route[job.step];
-  const std::string& machine = scenarios::find_named(scenario_.operations, operation)->machine;
   ++parts_[job.part].in_process;
-  groups_[index_of(scenario_.machines, machine)]->queue.try_put(job);
+  groups_[operations_[routes_[job.part][job.step]].group]->queue.try_put(job);
 }
 
 // Parts under way go first; blanks that are always available fill the rest, part types in turn.
@@ -148,8 +150,7 @@ sim::Task<void> Shop::machine_process(MachineUnit& machine) {
           fmt::format("more than {} events in one replication: shorten the horizon or check the "
                       "durations, they are far apart",
                       event_budget));
-    const std::string& name = scenario_.parts[job.part].route[job.step];
-    const PlannedOperation& operation = operations_[index_of(scenario_.operations, name)];
+    const PlannedOperation& operation = operations_[routes_[job.part][job.step]];
     const double main_time_min = operation.time_law ? operation.time_law->sample(machine.duration_stream)
                                                     : operation.plan.main_time_min;
     if (operation.plan.edge && !operation.spec->tool.empty()) {

@@ -70,6 +70,7 @@ class Shop {
   };
   struct PlannedOperation {
     const scenarios::Operation* spec;
+    std::size_t group;  // of the machines that do it
     operations::CutPlan plan;
     std::optional<sim::Distribution> time_law;
   };
@@ -106,6 +107,8 @@ class Shop {
   std::vector<std::unique_ptr<MachineUnit>> machines_;
   std::vector<ToolCounts> tools_;  // one per tool of the scenario
   std::vector<PartCounts> parts_;  // one per part type
+  // routes_[part][step]: index of the operation, looked up by name once
+  std::vector<std::vector<std::size_t>> routes_;
 };
 
 }  // namespace verstat::shop
