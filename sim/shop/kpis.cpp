@@ -16,11 +16,6 @@ struct Money {
   double amount;
 };
 
-std::optional<double> ratio(double part, double whole) {
-  if (!(whole > 0)) return std::nullopt;
-  return part / whole;
-}
-
 constexpr std::string_view meaning_of(MachineState state) {
   constexpr std::array<std::string_view, machine_states> texts = {
       "share of the time spent cutting",
@@ -38,8 +33,7 @@ std::string machine_name(const scenarios::Machine& machine, std::int64_t index) 
   return machine.count == 1 ? machine.name : fmt::format("{} {}", machine.name, index + 1);
 }
 
-template <class Sink>
-void Shop::each_kpi(Sink&& sink) const {
+void Shop::each_kpi(const KpiSink& sink) const {
   const double window_min = scenario_.simulation.horizon_min - scenario_.simulation.warmup_min;
   const std::string& money = scenario_.currency;
 
@@ -138,39 +132,7 @@ void Shop::each_kpi(Sink&& sink) const {
     }
   }
 
-  for (std::size_t t = 0; t < tools_.size(); ++t) {
-    const ToolCounts& counts = tools_[t];
-    double cutting_min = 0;
-    double changing_min = 0;
-    double waiting_min = 0;
-    for (const auto& machine : machines_)
-      for (const auto& [name, tool] : machine->tools) {
-        if (tool->index != t) continue;
-        cutting_min += tool->clock.time_min(MachineState::cutting);
-        waiting_min += tool->clock.time_min(MachineState::waiting_crew);
-        changing_min += tool->clock.time_min(MachineState::planned_change) +
-                        tool->clock.time_min(MachineState::failure_change);
-      }
-    const auto planned = static_cast<double>(counts.planned_changes);
-    const auto failures = static_cast<double>(counts.failures);
-    const auto put = [&](const char* name, const char* unit, const char* meaning,
-                         std::optional<double> value) {
-      sink(KpiInfo{fmt::format("tool/{}/{}", scenario_.tools[t].name, name), unit, meaning}, value);
-    };
-    put("insert_cycle_availability", "1",
-        "cutting / (cutting + changing + waiting for the crew); K_r of K117",
-        ratio(cutting_min, cutting_min + changing_min + waiting_min));
-    put("waiting_crew_share", "1", "waiting for the crew / (cutting + changing + waiting)",
-        ratio(waiting_min, cutting_min + changing_min + waiting_min));
-    put("planned_changes", "1", "edges changed as planned", planned);
-    put("failures", "1", "edges that failed in the cut", failures);
-    put("failure_share", "1", "failures / all changes", ratio(failures, planned + failures));
-    put("edge_use_min", "min", "mean cutting time of the edges taken out",
-        ratio(counts.edge_minutes_used, static_cast<double>(counts.edges_used)));
-    put("inserts_fitted", "1", "new inserts fitted", static_cast<double>(counts.inserts_fitted));
-    put("inserts_per_100_parts", "1/100 parts", "new inserts fitted per 100 parts finished",
-        ratio(100 * static_cast<double>(counts.inserts_fitted), finished));
-  }
+  tool_kpis(finished, sink);
 
   for (const auto& crew : crews_) {
     const auto busy = crew_busy_min.find(crew.get());
@@ -183,14 +145,14 @@ void Shop::each_kpi(Sink&& sink) const {
 
 std::vector<std::optional<double>> Shop::compute_kpis() const {
   std::vector<std::optional<double>> values;
-  each_kpi([&](const KpiInfo&, std::optional<double> value) { values.push_back(value); });
+  each_kpi([&](KpiInfo, std::optional<double> value) { values.push_back(value); });
   return values;
 }
 
 std::vector<KpiInfo> kpi_infos(const scenarios::Scenario& scenario) {
   std::vector<KpiInfo> infos;
   const Shop shop(scenario, 0);
-  shop.each_kpi([&](const KpiInfo& info, std::optional<double>) { infos.push_back(info); });
+  shop.each_kpi([&](KpiInfo info, std::optional<double>) { infos.push_back(std::move(info)); });
   return infos;
 }
 

@@ -22,22 +22,6 @@ std::size_t index_of(const std::vector<T>& all, const std::string& name) {
 
 }  // namespace
 
-Shop::MountedTool::MountedTool(const scenarios::Scenario& scenario, const scenarios::Tool& tool,
-                               std::size_t tool_index, CrewUnit& tool_crew, const std::string& entity,
-                               std::uint64_t replication)
-    : spec(&tool),
-      insert_spec(scenarios::find_named(scenario.inserts, tool.insert)),
-      index(tool_index),
-      crew(&tool_crew),
-      insert(*insert_spec, scenario.simulation.seed.value, entity, replication),
-      strategy(make_strategy(tool.strategy,
-                             models::LifeLaw(insert_spec->edge_life.law, 1.0, insert_spec->edge_life.cv))),
-      index_time(law_of(tool.change.index)),
-      replace_time(law_of(tool.change.replace)),
-      index_stream(scenario.simulation.seed.value, entity, "index time", replication),
-      replace_stream(scenario.simulation.seed.value, entity, "replace time", replication),
-      scrap_stream(scenario.simulation.seed.value, entity, "scrap", replication) {}
-
 Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication)
     : scenario_(scenario),
       replication_(replication),
@@ -155,18 +139,30 @@ sim::Task<void> Shop::machine_process(MachineUnit& machine) {
                                                     : operation.plan.main_time_min;
     if (operation.plan.edge && !operation.spec->tool.empty()) {
       MountedTool& tool = *machine.tools.at(operation.spec->tool);
-      co_await turn(machine, tool, main_time_min, operation.plan.edge->mean_min, job);
+      co_await cut(machine, tool, main_time_min, operation.plan.edge->mean_min, job);
       if (breaks(machine, operation)) {
         if (tool.scrap_stream.uniform() < tool.spec->failure_scrap_probability) job.spoiled = true;
         co_await change_edge(machine, tool, true, operation.plan.edge->mean_min);
       }
     } else {
-      machine.clock.enter(MachineState::working, sim_.now());
-      co_await sim_.delay(main_time_min);
+      co_await spend(machine, MachineState::working, main_time_min);
     }
     if (spoils(machine, operation)) job.spoiled = true;
     pass_on(job);
   }
+}
+
+sim::Task<void> Shop::spend(MachineUnit& machine, MachineState state, double time_min, MountedTool* tool) {
+  machine.clock.enter(state, sim_.now());
+  if (tool != nullptr) tool->clock.enter(state, sim_.now());
+  co_await sim_.delay(time_min);
+}
+
+sim::Task<sim::Hold> Shop::call_crew(MachineUnit& machine, CrewUnit& crew, MountedTool* tool) {
+  machine.clock.enter(MachineState::waiting_crew, sim_.now());
+  if (tool != nullptr) tool->clock.enter(MachineState::waiting_crew, sim_.now());
+  sim::Hold hold = co_await crew.members.acquire();
+  co_return hold;
 }
 
 // Numbers are drawn only where the process model gives a chance at all, from streams of their own.
@@ -196,84 +192,6 @@ void Shop::pass_on(Job job) {
     ++part.good;
   }
   part.lead_time_min += sim_.now() - job.released_min;
-}
-
-// Cuts one part. Within one instant a failure comes before a planned change (X <= tau fails), and both before
-// the end of the cut; a planned change that falls due with the end of a part is made before the next one.
-sim::Task<void> Shop::turn(MachineUnit& machine, MountedTool& tool, double main_time_min,
-                           double mean_life_min, Job& job) {
-  // Rounding leaves crumbs of cutting where two times are equal by design.
-  const double crumb_min = 1e-9 * main_time_min;
-  double left_min = main_time_min;
-  while (left_min > crumb_min) {
-    const double to_failure_min = (tool.insert.life() - tool.insert.wear()) * mean_life_min;
-    const double to_change_min =
-        tool.strategy->cutting_to_change_min({.edge_wear = tool.insert.wear(),
-                                              .wear_since_plan = tool.wear_since_plan,
-                                              .mean_life_min = mean_life_min,
-                                              .main_time_min = main_time_min});
-    const bool fails_first = to_failure_min <= to_change_min;
-    const double to_stop_min = std::max(0.0, fails_first ? to_failure_min : to_change_min);
-    if (to_stop_min > left_min || to_stop_min > crumb_min) {
-      const double cut_min = std::min(left_min, to_stop_min);
-      machine.clock.enter(MachineState::cutting, sim_.now());
-      tool.clock.enter(MachineState::cutting, sim_.now());
-      co_await sim_.delay(cut_min);
-      tool.insert.spend(cut_min / mean_life_min);
-      tool.wear_since_plan += cut_min / mean_life_min;
-      left_min -= cut_min;
-      if (cut_min < to_stop_min) continue;  // the part is finished first
-    }
-    if (!fails_first && left_min <= crumb_min) continue;  // due with the end of the part
-    if (fails_first) {
-      const double draw = tool.scrap_stream.uniform();
-      if (draw < tool.spec->failure_scrap_probability) job.spoiled = true;
-    }
-    co_await change_edge(machine, tool, fails_first, mean_life_min);
-  }
-  tool.clock.enter(MachineState::idle, sim_.now());
-}
-
-sim::Task<void> Shop::change_edge(MachineUnit& machine, MountedTool& tool, bool after_failure,
-                                  double mean_life_min) {
-  machine.clock.enter(MachineState::waiting_crew, sim_.now());
-  tool.clock.enter(MachineState::waiting_crew, sim_.now());
-  sim::Hold hold = co_await tool.crew->members.acquire();
-  const MachineState state = after_failure ? MachineState::failure_change : MachineState::planned_change;
-  machine.clock.enter(state, sim_.now());
-  tool.clock.enter(state, sim_.now());
-
-  ToolCounts& counts = tools_[tool.index];
-  ++counts.edges_used;
-  counts.edge_minutes_used += tool.insert.wear() * mean_life_min;
-  if (after_failure) {
-    ++counts.failures;
-    counts.damage_cost += tool.spec->failure_damage;
-    counts.regrind_cost += tool.spec->regrind_failure;
-  } else {
-    ++counts.planned_changes;
-    counts.regrind_cost += tool.spec->regrind_planned;
-    tool.wear_since_plan = 0;
-  }
-  if (tool.spec->insert_booking == scenarios::InsertBooking::life_periods)
-    counts.insert_cost +=
-        tool.insert_spec->price / (after_failure ? tool.spec->periods_failure : tool.spec->periods_planned);
-
-  const scenarios::ToolChange& change = tool.spec->change;
-  // Both times are drawn at every change, used or not: variants of the shop stay in step.
-  const double index_min = tool.index_time.sample(tool.index_stream);
-  const double replace_min = tool.replace_time.sample(tool.replace_stream);
-  double time_min = change.positioning_min + (after_failure ? change.failure_extra_min : 0);
-  if (tool.insert.turn_to_next_edge(after_failure)) {
-    time_min += index_min;
-  } else {
-    time_min += replace_min;
-    tool.insert.fit_new();
-    ++counts.inserts_fitted;
-    if (tool.spec->insert_booking == scenarios::InsertBooking::at_fitting)
-      counts.insert_cost += tool.insert_spec->price;
-  }
-  co_await sim_.delay(time_min);
 }
 
 }  // namespace verstat::shop

@@ -81,8 +81,16 @@ class Shop {
 
   [[nodiscard]] sim::Task<void> machine_process(MachineUnit& machine);
   [[nodiscard]] sim::Task<void> arrival_process(std::size_t part);
-  [[nodiscard]] sim::Task<void> turn(MachineUnit& machine, MountedTool& tool, double main_time_min,
-                                     double mean_life_min, Job& job);
+  [[nodiscard]] sim::Task<void> cut(MachineUnit& machine, MountedTool& tool, double main_time_min,
+                                    double mean_life_min, Job& job);
+  /// The machine spends `time_min` in `state`, and so does the tool that works (null: none). The only place
+  /// where time passes for a machine that has work: what stretches it (failures, ends of shifts) is dealt
+  /// with there.
+  [[nodiscard]] sim::Task<void> spend(MachineUnit& machine, MachineState state, double time_min,
+                                      MountedTool* tool = nullptr);
+  /// A member of the crew comes to the machine, which waits for it.
+  [[nodiscard]] sim::Task<sim::Hold> call_crew(MachineUnit& machine, CrewUnit& crew,
+                                               MountedTool* tool = nullptr);
   [[nodiscard]] sim::Task<void> change_edge(MachineUnit& machine, MountedTool& tool, bool after_failure,
                                             double mean_life_min);
   [[nodiscard]] std::optional<Job> next_job(Group& group);
@@ -94,9 +102,10 @@ class Shop {
   void reset_counts();
   void settle();
   [[nodiscard]] std::vector<std::optional<double>> compute_kpis() const;
-  /// Calls sink(KpiInfo, std::optional<double>) for every KPI, in order: names and values stand together.
-  template <class Sink>
-  void each_kpi(Sink&& sink) const;
+  /// Hands every KPI to the sink, in order: names and values stand together.
+  void each_kpi(const KpiSink& sink) const;
+  /// `finished` parts in the counted time, good or scrapped.
+  void tool_kpis(double finished, const KpiSink& sink) const;
 
   const scenarios::Scenario& scenario_;
   std::uint64_t replication_;
