@@ -2,19 +2,22 @@
 #include <algorithm>
 
 #include "sim/shop/shop_parts.h"
+#include "sim/shop/trace.h"
 
 namespace verstat::shop {
 
 Shop::MountedTool::MountedTool(const scenarios::Scenario& scenario, const scenarios::Tool& tool,
-                               std::size_t tool_index, CrewUnit& tool_crew, const std::string& entity,
+                               std::size_t tool_index, std::vector<std::size_t> tool_crews,
+                               const scenarios::WorkingTime* working_time, const std::string& entity,
                                std::uint64_t replication)
     : spec(&tool),
       insert_spec(scenarios::find_named(scenario.inserts, tool.insert)),
       index(tool_index),
-      crew(&tool_crew),
+      crews(std::move(tool_crews)),
       insert(*insert_spec, scenario.simulation.seed.value, entity, replication),
       strategy(make_strategy(tool.strategy,
                              models::LifeLaw(insert_spec->edge_life.law, 1.0, insert_spec->edge_life.cv))),
+      clock(working_time),
       index_time(law_of(tool.change.index)),
       replace_time(law_of(tool.change.replace)),
       index_stream(scenario.simulation.seed.value, entity, "index time", replication),
@@ -23,8 +26,8 @@ Shop::MountedTool::MountedTool(const scenarios::Scenario& scenario, const scenar
 
 // Cuts one part. Within one instant a failure comes before a planned change (X <= tau fails), and both before
 // the end of the cut; a planned change that falls due with the end of a part is made before the next one.
-sim::Task<void> Shop::cut(MachineUnit& machine, MountedTool& tool, double main_time_min, double mean_life_min,
-                          Job& job) {
+sim::Task<void> Shop::cut(MachineUnit& machine, MountedTool& tool, double main_time_min,
+                          double mean_life_min) {
   // Rounding leaves crumbs of cutting where two times are equal by design.
   const double crumb_min = 1e-9 * main_time_min;
   double left_min = main_time_min;
@@ -48,7 +51,7 @@ sim::Task<void> Shop::cut(MachineUnit& machine, MountedTool& tool, double main_t
     if (!fails_first && left_min <= crumb_min) continue;  // due with the end of the part
     if (fails_first) {
       const double draw = tool.scrap_stream.uniform();
-      if (draw < tool.spec->failure_scrap_probability) job.spoiled = true;
+      if (draw < tool.spec->failure_scrap_probability) machine.part_spoiled = true;
     }
     co_await change_edge(machine, tool, fails_first, mean_life_min);
   }
@@ -57,22 +60,27 @@ sim::Task<void> Shop::cut(MachineUnit& machine, MountedTool& tool, double main_t
 
 sim::Task<void> Shop::change_edge(MachineUnit& machine, MountedTool& tool, bool after_failure,
                                   double mean_life_min) {
-  const sim::Hold hold = co_await call_crew(machine, *tool.crew, &tool);
+  const Cost heading = after_failure ? Cost::failure_change : Cost::planned_change;
+  const CrewHold hold =
+      co_await call_crew(machine, tool.crews, heading, 0, MachineState::waiting_crew, &tool);
   ToolCounts& counts = tools_[tool.index];
+  if (trace_ != nullptr)
+    trace_->edge_removed(tool.index, machine.index, sim_.now(), tool.insert.wear() * mean_life_min,
+                         after_failure);
   ++counts.edges_used;
   counts.edge_minutes_used += tool.insert.wear() * mean_life_min;
   if (after_failure) {
     ++counts.failures;
-    counts.damage_cost += tool.spec->failure_damage;
-    counts.regrind_cost += tool.spec->regrind_failure;
+    costs_.book(Cost::damage, tool.spec->failure_damage);
+    costs_.book(Cost::regrinding, tool.spec->regrind_failure);
   } else {
     ++counts.planned_changes;
-    counts.regrind_cost += tool.spec->regrind_planned;
+    costs_.book(Cost::regrinding, tool.spec->regrind_planned);
     tool.wear_since_plan = 0;
   }
   if (tool.spec->insert_booking == scenarios::InsertBooking::life_periods)
-    counts.insert_cost +=
-        tool.insert_spec->price / (after_failure ? tool.spec->periods_failure : tool.spec->periods_planned);
+    costs_.book(Cost::inserts, tool.insert_spec->price /
+                                   (after_failure ? tool.spec->periods_failure : tool.spec->periods_planned));
 
   const scenarios::ToolChange& change = tool.spec->change;
   // Both times are drawn at every change, used or not: variants of the shop stay in step.
@@ -86,7 +94,7 @@ sim::Task<void> Shop::change_edge(MachineUnit& machine, MountedTool& tool, bool 
     tool.insert.fit_new();
     ++counts.inserts_fitted;
     if (tool.spec->insert_booking == scenarios::InsertBooking::at_fitting)
-      counts.insert_cost += tool.insert_spec->price;
+      costs_.book(Cost::inserts, tool.insert_spec->price);
   }
   const MachineState state = after_failure ? MachineState::failure_change : MachineState::planned_change;
   co_await spend(machine, state, time_min, &tool);
