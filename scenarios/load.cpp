@@ -15,7 +15,9 @@ namespace verstat::scenarios {
 using nlohmann::json;
 
 operations::CutPlan plan(const Scenario& scenario, const Operation& operation) {
-  operations::PlanContext context{.machine = &find_named(scenario.machines, operation.machine)->limits};
+  const Machine& machine = *find_named(scenario.machines, operation.machine);
+  operations::PlanContext context{.machine = &machine.limits,
+                                  .spindle = machine.spindle ? &*machine.spindle : nullptr};
   if (!operation.tool.empty())
     context.edge =
         &find_named(scenario.inserts, find_named(scenario.tools, operation.tool)->insert)->edge_life;

@@ -14,6 +14,7 @@
 #include "models/catalogue/field.h"
 #include "operations/edge_life.h"
 #include "operations/kind.h"
+#include "operations/spindle.h"
 
 namespace verstat::scenarios {
 
@@ -108,6 +109,7 @@ struct Machine {
   std::int64_t count = 1;
   double rate_per_min = 0;
   operations::MachineLimits limits;
+  std::optional<operations::Spindle> spindle;
 };
 
 struct Operation {

@@ -128,7 +128,8 @@ struct StructFields<Machine> {
         may<Machine>(&Machine::model, "model", "-", no_range(), "maker's model"),
         may<Machine>(&Machine::count, "count", "1", closed(1, 10'000), "number of identical machines"),
         may<Machine>(&Machine::rate_per_min, "rate_per_min", "money/min", money, "cost of a machine minute"),
-        may<Machine>(&Machine::limits, "limits", "-", no_range(), "what the machine can do")};
+        may<Machine>(&Machine::limits, "limits", "-", no_range(), "what the machine can do"),
+        may<Machine>(&Machine::spindle, "spindle", "-", no_range(), "dynamics of its spindle")};
   }
 };
 

@@ -139,7 +139,7 @@ CutPlan plan(const RollingGeneration& spec, const PlanContext& context) {
         {"tool_angle_deg", spec.tool_angle_deg, *spec.corner_angle_deg, true, "deg", "S2.coordination_kind"});
   MachineLoad load;
   load.feed_rate_mm_min = spec.feed_mm_min;
-  add_machine_limits(p, context.machine, load);
+  add_machine_limits(p, context, load);
   if (context.edge != nullptr) {
     // The life of the shop's data is that of an edge that cuts with one spot; rolling spreads the wear.
     p.edge =
