@@ -172,6 +172,13 @@ std::vector<SpindleDynamics::Band> parametric_bands(const BearingResonance& b, d
       k201::cage_speed_ratio({b.ball_diameter_mm, b.pitch_diameter_mm, b.contact_angle_deg}).ratio;
   in.harmonic = b.harmonic;
   in.damping_ratio = b.damping_ratio;
+  // Mathieu's parameter a = (2 p / Omega)^2 is known up to 100: zones above the tenth are not looked for.
+  // They are far narrower than any damping leaves unstable.
+  const double highest_rad_s = *std::max_element(in.p_nodes_rad_s.begin(), in.p_nodes_rad_s.end());
+  const double tenth_rpm =
+      k201::parametric_critical_speed({highest_rad_s, in.cage_ratio, b.harmonic, 10}).speed_rpm;
+  low_rpm = std::max(low_rpm, tenth_rpm * (1 + 1e-9));
+  if (low_rpm >= high_rpm) return {};
   in.n_min_rpm = low_rpm;
   in.n_max_rpm = high_rpm;
   in.step_rpm = b.speed_step_rpm;

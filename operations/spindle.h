@@ -4,6 +4,7 @@
 // (K209), the holder of an axial tool (K408). Each part is optional and adds its own to the plans of the
 // operations done on the machine: forbidden speed bands, the stable width of cut, terms of form error.
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <mutex>
@@ -131,6 +132,10 @@ struct Spindle {
   [[nodiscard]] std::vector<double> key() const;
   mutable DynamicsMemo memo_;
 };
+
+/// The sources behind it, as a kind names its own.
+inline constexpr std::array spindle_sources{"K201", "K206", "K209", "K210"};
+inline constexpr std::array safety_clutch_sources{"K204"};
 
 /// Adds to the plan what the spindle does to the operation, as far as plan.spindle tells.
 void add_spindle(CutPlan& plan, const Spindle& spindle);
