@@ -14,7 +14,7 @@ void check_insert(const Scenario&, const Insert& insert, const std::string& at) 
 
 void check_tool(const Scenario& s, const Tool& tool, const std::string& at) {
   check_reference(s.inserts, tool.insert, at + "/insert", "insert");
-  check_reference(s.crews, tool.crew, at + "/crew", "crew");
+  check_crew_or_skill(s, tool.crew, at + "/crew");
   check_law(tool.change.index, at + "/change/index");
   check_law(tool.change.replace, at + "/change/replace");
   const EdgeLife& life = find_named(s.inserts, tool.insert)->edge_life;

@@ -13,7 +13,8 @@ namespace verstat::scenarios {
 using nlohmann::json;
 
 operations::CutPlan plan(const Scenario& scenario, const Operation& operation, const Machine& machine) {
-  operations::PlanContext context{.machine = &machine.limits};
+  operations::PlanContext context{.machine = &machine.limits,
+                                  .spindle = machine.spindle ? &*machine.spindle : nullptr};
   if (!operation.tool.empty())
     context.edge =
         &find_named(scenario.inserts, find_named(scenario.tools, operation.tool)->insert)->edge_life;

@@ -65,10 +65,12 @@ class Section {
   [[nodiscard]] Level fill(int k, double work_speed_m_min) {
     const double grooves = 60 * wheel_->wheel_speed_m_s * unit_arc_mm_ /
                            (work_speed_m_min * wheel_->grain_spacing_mm * wheel_->grain_spacing_mm);
+    while (static_cast<int>(roots_.size()) <= k)
+      roots_.push_back(std::sqrt(static_cast<double>(roots_.size())));
     double covered_um = 0;  // of one mm of width
-    double root_from = std::sqrt(static_cast<double>(k));
+    double root_from = roots_[static_cast<std::size_t>(k)];
     for (int n = 1; n <= k; ++n) {
-      const double root_to = std::sqrt(static_cast<double>(k - n));
+      const double root_to = roots_[static_cast<std::size_t>(k - n)];
       covered_um += grooves * (1 - covered_um / um_mm) * groove_sum(n) * (root_from - root_to);
       root_from = root_to;
       if (covered_um >= um_mm * wheel_->coverage) return {n, covered_um / um_mm};
@@ -107,6 +109,7 @@ class Section {
   std::vector<double> shares_;
   std::vector<double> widths_um_;
   std::vector<double> sums_um_;
+  std::vector<double> roots_;  // sqrt(0), sqrt(1), ...
 };
 
 SurfaceAlongArc along_arc(Section& section, const CuttingRegime& in) {

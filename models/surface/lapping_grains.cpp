@@ -63,14 +63,23 @@ double TruncatedNormal::expectation_above(double level_um, double reach_um, G&& 
 double mean_half_chord_um(const TruncatedNormal& law, double below_deepest_um, double grain_um) {
   // z = a - y = d sin^2(phi) takes the square roots out of both ends of the chord.
   const double level_um = law.greatest() - below_deepest_um;
-  const auto angle = [&](double z) { return std::asin(std::sqrt(std::min(z / grain_um, 1.0))); };
+  // A grain that sinks in by less than half of itself is far from the second root: s = sin(phi) itself
+  // serves, without a sine at every point.
   return law.expectation_above(level_um, below_deepest_um, [&](double from, double to) {
-    const auto integrand = [&](double phi) {
-      const double s = std::sin(phi);
-      const double half = 0.5 * grain_um * std::sin(2 * phi);
-      return 2 * half * half * law.density(std::min(level_um + grain_um * s * s, law.greatest()));
+    const auto density = [&](double s) {
+      return law.density(std::min(level_um + grain_um * s * s, law.greatest()));
     };
-    return Gauss::integrate(integrand, angle(from), angle(to));
+    if (to < 0.5 * grain_um)
+      return Gauss::integrate(
+          [&](double s) { return 2 * grain_um * grain_um * s * s * std::sqrt(1 - s * s) * density(s); },
+          std::sqrt(from / grain_um), std::sqrt(to / grain_um));
+    const auto angle = [&](double z) { return std::asin(std::sqrt(std::min(z / grain_um, 1.0))); };
+    return Gauss::integrate(
+        [&](double phi) {
+          const double s = std::sin(phi);
+          return 2 * grain_um * grain_um * s * s * (1 - s * s) * density(s);
+        },
+        angle(from), angle(to));
   });
 }
 

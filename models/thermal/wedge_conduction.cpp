@@ -14,7 +14,11 @@ namespace {
 // 1/distance integrated over two parallel lines of the length b, a distance d apart:
 // 2 (b arsinh(b/d) - sqrt(b^2 + d^2) + d), written without the cancellation at d >> b.
 double line_interaction(double b, double d) {
-  return 2 * (b * std::asinh(b / d) - b * b / (d + std::hypot(b, d)));
+  const double diagonal = std::sqrt(b * b + d * d);
+  const double x = b / d;
+  // arsinh(x); the plain logarithm would lose digits of a small x.
+  const double arsinh = x > 0.1 ? std::log(x + diagonal / d) : std::asinh(x);
+  return 2 * (b * arsinh - b * b / (d + diagonal));
 }
 
 // J(0) of a rectangle on itself: the pairs depend on their distance u alone; u = l x^2 tames the logarithm.
@@ -29,16 +33,22 @@ double self_interaction(double b, double l) {
 
 // J(psi): uniform unit source on source_length x b, mean over observer_length x b, planes at the angle psi.
 double interaction(double psi, double b, double source_length, double observer_length) {
-  const auto& rule = gauss_legendre_24();
+  // The planes meet at the edge alone, where x^2 tames the logarithm: fewer points than on a rectangle
+  // itself.
+  static const std::vector<GaussPoint> rule = gauss_legendre(16);
   const double twice_cos = 2 * std::cos(psi);
+  const bool alike = source_length == observer_length;  // the kernel is symmetric: half of the pairs
   double sum = 0;
-  for (const GaussPoint& p : rule) {
+  for (std::size_t i = 0; i < rule.size(); ++i) {
+    const GaussPoint& p = rule[i];
     const double r = source_length * p.x * p.x;
     double inner = 0;
-    for (const GaussPoint& q : rule) {
+    for (std::size_t j = alike ? i : 0; j < rule.size(); ++j) {
+      const GaussPoint& q = rule[j];
       const double s = observer_length * q.x * q.x;
       const double d = std::sqrt(std::max(0.0, r * r + s * s - r * s * twice_cos));
-      inner += q.weight * 2 * observer_length * q.x * line_interaction(b, d);
+      const double pair = alike && j != i ? 2 : 1;
+      inner += pair * q.weight * 2 * observer_length * q.x * line_interaction(b, d);
     }
     sum += p.weight * 2 * source_length * p.x * inner;
   }

@@ -92,7 +92,10 @@ void Shop::build_machines() {
       group.working_time.emplace(*calendar);
     if (machine.loading) group.loading_time = law_of(*machine.loading);
     if (machine.unloading) group.unloading_time = law_of(*machine.unloading);
-    if (machine.overload_reset) group.reset_time = law_of(*machine.overload_reset);
+    if (machine.overload) {
+      group.break_repair = law_of(machine.overload->repair);
+      group.overload_crews = labour_->crews_for(machine.overload->crew);
+    }
     if (machine.switch_off) group.warm_up_time = law_of(machine.switch_off->warm_up);
     if (machine.attendance) group.attendance_crews = labour_->crews_for(machine.attendance->crew);
     if (machine.setup) {

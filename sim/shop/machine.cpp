@@ -145,8 +145,8 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
   attending.release();
 
   if (rejected > 0) reject(machine, job, rejected);
-  if (operation.spec->inspection && job.quantity > 0) {
-    const std::int64_t found = inspect(machine, *operation.spec->inspection, job);
+  if ((operation.spec->inspection || operation.plan.detection) && job.quantity > 0) {
+    const std::int64_t found = inspect(machine, operation, job);
     if (found > 0) reject(machine, job, found);
   }
   for (const scenarios::RouteComponent& blank : routes_[job.part][job.step].yields)
@@ -200,7 +200,44 @@ sim::Task<void> Shop::work_on_part(MachineUnit& machine, const PlannedOperation&
   } else {
     co_await spend(machine, MachineState::working, main_time_min);
   }
+  if (operation.plan.overload) co_await overload(machine, *operation.plan.overload);
   if (spoils(machine, operation)) machine.part_spoiled = true;
+}
+
+// Trips and breaks of the drive while one part was cut (K204): their number is Poisson, by inversion of one
+// uniform number each, and their time is added to the part.
+sim::Task<void> Shop::overload(MachineUnit& machine, const operations::Overload& expected) {
+  const Group& group = *machine.group;
+  const auto poisson = [&](double mean) {
+    double left = machine.overload_stream.uniform();
+    double term = std::exp(-mean);
+    int count = 0;
+    while (left > term && count < 1000) {
+      left -= term;
+      ++count;
+      term *= mean / count;
+    }
+    return count;
+  };
+  const int trips = poisson(expected.trips_per_part);
+  const int breaks = poisson(expected.breaks_per_part);
+  for (int k = 0; k < trips; ++k) {
+    ++machine.overload_trips;
+    CrewHold hands;
+    if (!expected.self_reset) hands = co_await call_crew(machine, group.overload_crews, Cost::overload_reset);
+    co_await spend(machine, MachineState::overload_reset, expected.reset_min);
+  }
+  for (int k = 0; k < breaks; ++k) {
+    ++machine.overload_breaks;
+    if (!group.spec->overload) continue;
+    costs_.book(Cost::damage, group.spec->overload->damage);
+    if (machine.overload_stream.uniform() < group.spec->overload->scrap_probability)
+      machine.part_spoiled = true;
+    const CrewHold mender =
+        co_await call_crew(machine, group.overload_crews, Cost::repair, 0, MachineState::waiting_repair);
+    const double repair_min = group.break_repair->sample(machine.overload_stream);
+    co_await spend(machine, MachineState::repair, repair_min);
+  }
 }
 
 sim::Task<CrewHold> Shop::call_crew(MachineUnit& machine, const std::vector<std::size_t>& crews, Cost heading,

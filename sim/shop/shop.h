@@ -117,6 +117,7 @@ class Shop {
   [[nodiscard]] sim::Task<void> set_up(MachineUnit& machine, std::size_t family);
   [[nodiscard]] sim::Task<void> work_on_part(MachineUnit& machine, const PlannedOperation& operation);
   [[nodiscard]] sim::Task<void> load(MachineUnit& machine, bool unloading);
+  [[nodiscard]] sim::Task<void> overload(MachineUnit& machine, const operations::Overload& expected);
   [[nodiscard]] sim::Task<void> open_shift(MachineUnit& machine);
   /// The machine spends `time_min` in `state`, and so does the tool that works (null: none). The only place
   /// where time passes for a machine that has work: what stretches it (failures, ends of shifts) is dealt
@@ -153,7 +154,7 @@ class Shop {
   [[nodiscard]] static bool spoils(MachineUnit& machine, const PlannedOperation& operation);
   [[nodiscard]] static bool leaves_defect(MachineUnit& machine, const PlannedOperation& operation);
   /// Number of parts of the batch that an inspection rejects; their defects leave the batch with them.
-  [[nodiscard]] static std::int64_t inspect(MachineUnit& machine, const scenarios::Inspection& inspection,
+  [[nodiscard]] static std::int64_t inspect(MachineUnit& machine, const PlannedOperation& operation,
                                             Job& job);
   /// Takes `quantity` rejected parts out of the batch: to rework, or to scrap.
   void reject(MachineUnit& machine, Job& job, std::int64_t quantity);

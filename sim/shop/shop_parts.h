@@ -25,7 +25,8 @@ struct Shop::Group {
   std::optional<scenarios::WorkingTime> working_time;
   std::optional<sim::Distribution> loading_time;
   std::optional<sim::Distribution> unloading_time;
-  std::optional<sim::Distribution> reset_time;
+  std::optional<sim::Distribution> break_repair;
+  std::vector<std::size_t> overload_crews;
   std::optional<sim::Distribution> warm_up_time;
   struct SetupLaw {
     std::optional<std::size_t> from;  // none: any
@@ -125,6 +126,7 @@ struct Shop::MachineUnit {
   std::uint64_t failures = 0;
   std::uint64_t maintenance_jobs = 0;
   std::uint64_t overload_trips = 0;
+  std::uint64_t overload_breaks = 0;
   std::uint64_t active_periods = 0;
   sim::RandomStream duration_stream;
   sim::RandomStream breakage_stream;
