@@ -36,6 +36,7 @@ struct Machine {
   std::int64_t count = 1;
   double rate_per_min = 0;
   operations::MachineLimits limits;
+  std::optional<std::int64_t> magazine;  ///< tool places; none: no bound
 };
 
 struct Operation {
@@ -78,6 +79,7 @@ struct SimulationSettings {
   double warmup_min = 0;
   std::int64_t replications = 20;
   Seed seed;
+  double unattended_min = 480;  ///< interval whose chance of passing without a stop is reported
 };
 
 struct Scenario {

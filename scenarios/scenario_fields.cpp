@@ -56,7 +56,9 @@ struct StructFields<Machine> {
         may<Machine>(&Machine::model, "model", "-", no_range(), "maker's model"),
         may<Machine>(&Machine::count, "count", "1", closed(1, 10'000), "number of identical machines"),
         may<Machine>(&Machine::rate_per_min, "rate_per_min", "money/min", money, "cost of a machine minute"),
-        may<Machine>(&Machine::limits, "limits", "-", no_range(), "what the machine can do")};
+        may<Machine>(&Machine::limits, "limits", "-", no_range(), "what the machine can do"),
+        may<Machine>(&Machine::magazine, "magazine", "1", closed(1, 10'000),
+                     "tool places; none: as many as are wanted")};
   }
 };
 
@@ -114,7 +116,10 @@ struct StructFields<SimulationSettings> {
             may<SimulationSettings>(&SimulationSettings::replications, "replications", "1",
                                     closed(1, 100'000), "independent repetitions with other random numbers"),
             may<SimulationSettings>(&SimulationSettings::seed, "seed", "-", no_range(),
-                                    "seed of all random streams, 64 bits, as a text")};
+                                    "seed of all random streams, 64 bits, as a text"),
+            may<SimulationSettings>(&SimulationSettings::unattended_min, "unattended_min", "min",
+                                    open_low(0, 1e9),
+                                    "interval whose chance of passing without a stop is reported")};
   }
 };
 

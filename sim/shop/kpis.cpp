@@ -23,7 +23,9 @@ constexpr std::string_view meaning_of(MachineState state) {
       "share of the time in planned insert changes, crew at work",
       "share of the time in insert changes after a failure, crew at work",
       "share of the time waiting for the crew to change an edge",
-      "share of the time without a part to work on"};
+      "share of the time without a part to work on",
+      "share of the time waiting for a sister tool or for inserts",
+      "share of the time in which a sister tool comes out of the magazine"};
   return texts[static_cast<std::size_t>(state)];
 }
 
@@ -62,11 +64,23 @@ void Shop::each_kpi(const KpiSink& sink) const {
     for (const auto& [name, tool] : machine->tools) {
       const double planned_min = tool->clock.time_min(MachineState::planned_change);
       const double failure_min = tool->clock.time_min(MachineState::failure_change);
-      crew_busy_min[tool->crew] += planned_min + failure_min;
-      if (tool->crew->spec->pay == scenarios::CrewPay::shift) continue;
-      planned_wage += planned_min * tool->crew->spec->rate_per_min;
-      failure_wage += failure_min * tool->crew->spec->rate_per_min;
+      if (tool->crew == tool->failure_crew) {
+        crew_busy_min[tool->crew] += planned_min + failure_min;
+      } else {
+        crew_busy_min[tool->crew] += planned_min;
+        crew_busy_min[tool->failure_crew] += failure_min;
+      }
+      if (tool->crew->spec->pay == scenarios::CrewPay::busy)
+        planned_wage += planned_min * tool->crew->spec->rate_per_min;
+      if (tool->failure_crew->spec->pay == scenarios::CrewPay::busy)
+        failure_wage += failure_min * tool->failure_crew->spec->rate_per_min;
     }
+  double tool_room_wage = 0;
+  for (const auto& crew : crews_) {
+    crew_busy_min[crew.get()] += crew->off_line.area_min();
+    if (crew->spec->pay == scenarios::CrewPay::busy)
+      tool_room_wage += crew->off_line.area_min() * crew->spec->rate_per_min;
+  }
   double shift_wage = 0;
   for (const auto& crew : crews_)
     if (crew->spec->pay == scenarios::CrewPay::shift)
@@ -74,11 +88,15 @@ void Shop::each_kpi(const KpiSink& sink) const {
   double insert_cost = 0;
   double regrind_cost = 0;
   double damage_cost = 0;
+  double element_cost = 0;
   for (const ToolCounts& tool : tools_) {
     insert_cost += tool.insert_cost;
     regrind_cost += tool.regrind_cost;
     damage_cost += tool.damage_cost;
+    element_cost += tool.element_cost;
   }
+  for (const auto& lots : lots_)
+    if (lots) insert_cost += lots->counts().cost;
   const auto machine_in = [&](MachineState s) { return machine_cost[static_cast<std::size_t>(s)]; };
   const std::array components = {
       Money{"machining", "machine minutes of cutting", machine_in(MachineState::cutting)},
@@ -95,7 +113,12 @@ void Shop::each_kpi(const KpiSink& sink) const {
       Money{"inserts", "inserts", insert_cost},
       Money{"regrinding", "regrinding", regrind_cost},
       Money{"damage", "holders, shims and rework after failures", damage_cost},
-      Money{"scrap", "value of scrapped parts", scrap_cost}};
+      Money{"scrap", "value of scrapped parts", scrap_cost},
+      Money{"waiting_tool", "machine minutes of waiting for a sister tool or for inserts",
+            machine_in(MachineState::waiting_tool)},
+      Money{"tool_swap", "machine minutes of swapping sister tools", machine_in(MachineState::tool_swap)},
+      Money{"tool_room", "crew minutes at tools off the machines", tool_room_wage},
+      Money{"elements", "guide pads, dressings and other second elements", element_cost}};
   // The whole is the sum of the parts as they are shown, so that the bridge closes exactly.
   std::optional<double> per_part;
   std::optional<double> per_good_part;
@@ -133,6 +156,7 @@ void Shop::each_kpi(const KpiSink& sink) const {
   }
 
   tool_kpis(finished, sink);
+  insert_kpis(finished, sink);
 
   for (const auto& crew : crews_) {
     const auto busy = crew_busy_min.find(crew.get());

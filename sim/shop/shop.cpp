@@ -28,8 +28,11 @@ Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication)
       tools_(scenario.tools.size()),
       parts_(scenario.parts.size()) {
   for (const Operation& operation : scenario.operations) {
-    PlannedOperation planned{
-        &operation, index_of(scenario.machines, operation.machine), scenarios::plan(scenario, operation), {}};
+    PlannedOperation planned{&operation,
+                             index_of(scenario.machines, operation.machine),
+                             scenarios::plan(scenario, operation),
+                             {},
+                             {}};
     if (planned.plan.time_law) planned.time_law = law_of(*planned.plan.time_law);
     operations_.push_back(std::move(planned));
   }
@@ -44,16 +47,7 @@ Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication)
       machines_.push_back(
           std::make_unique<MachineUnit>(scenario, machine_name(machine, k), *groups_.back(), replication));
   }
-  for (const auto& machine : machines_)
-    for (const Operation& operation : scenario.operations) {
-      if (operation.tool.empty() || operation.machine != machine->group->spec->name) continue;
-      if (machine->tools.contains(operation.tool)) continue;
-      const std::size_t index = index_of(scenario.tools, operation.tool);
-      const scenarios::Tool& tool = scenario.tools[index];
-      machine->tools[operation.tool] =
-          std::make_unique<MountedTool>(scenario, tool, index, *crews_[index_of(scenario.crews, tool.crew)],
-                                        machine->name + "/" + tool.name, replication);
-    }
+  build_tools();
   for (std::size_t p = 0; p < scenario.parts.size(); ++p) {
     const scenarios::PartType& part = scenario.parts[p];
     if (std::holds_alternative<scenarios::AlwaysAvailable>(part.supply)) {
@@ -77,7 +71,7 @@ std::vector<std::optional<double>> Shop::run() {
 
 void Shop::reset_counts() {
   settle();
-  for (ToolCounts& tool : tools_) tool = ToolCounts();
+  reset_tool_counts();
   for (PartCounts& part : parts_) part = PartCounts{.in_process = part.in_process};
   for (const auto& machine : machines_) {
     machine->clock.reset(sim_.now());
@@ -90,6 +84,7 @@ void Shop::settle() {
     machine->clock.settle(sim_.now());
     for (const auto& [name, tool] : machine->tools) tool->clock.settle(sim_.now());
   }
+  settle_tools();
 }
 
 sim::Task<void> Shop::arrival_process(std::size_t part) {
@@ -137,13 +132,15 @@ sim::Task<void> Shop::machine_process(MachineUnit& machine) {
     const PlannedOperation& operation = operations_[routes_[job.part][job.step]];
     const double main_time_min = operation.time_law ? operation.time_law->sample(machine.duration_stream)
                                                     : operation.plan.main_time_min;
-    if (operation.plan.edge && !operation.spec->tool.empty()) {
+    const bool wears = operation.plan.edge.has_value() && !operation.spec->tool.empty();
+    if (wears || !operation.element_mean_min.empty()) {
       MountedTool& tool = *machine.tools.at(operation.spec->tool);
-      co_await cut(machine, tool, main_time_min, operation.plan.edge->mean_min, job);
-      if (breaks(machine, operation)) {
+      co_await cut(machine, tool, operation, main_time_min, job);
+      if (wears && breaks(machine, operation)) {
         if (tool.scrap_stream.uniform() < tool.spec->failure_scrap_probability) job.spoiled = true;
         co_await change_edge(machine, tool, true, operation.plan.edge->mean_min);
       }
+      put_back(tool);
     } else {
       co_await spend(machine, MachineState::working, main_time_min);
     }

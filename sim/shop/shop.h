@@ -10,6 +10,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <limits>
 #include <memory>
 #include <optional>
 #include <string>
@@ -20,23 +21,39 @@
 #include "sim/kernel/resource.h"
 #include "sim/kernel/simulation.h"
 #include "sim/kernel/store.h"
-#include "sim/shop/edge.h"
+#include "sim/shop/crib.h"
 #include "sim/shop/kpis.h"
+#include "sim/shop/lots.h"
 #include "sim/shop/state_clock.h"
 #include "sim/shop/strategy.h"
+#include "sim/shop/tool_body.h"
 
 namespace verstat::shop {
 
 /// Everything counted since the end of the warm-up about one kind of tool.
 struct ToolCounts {
-  std::uint64_t planned_changes = 0;
-  std::uint64_t failures = 0;
+  std::uint64_t planned_changes = 0;  ///< of the tool, whatever the number of teeth
+  std::uint64_t failures = 0;         ///< changes after a failure
+  std::uint64_t teeth_failed = 0;     ///< in the cut
+  std::uint64_t joined_changes = 0;   ///< planned changes made at another stop
+  std::uint64_t inspections = 0;
+  std::uint64_t worn_found = 0;
+  std::uint64_t false_alarms = 0;
+  std::uint64_t waits = 0;  ///< for a tool or for inserts
+  std::uint64_t regrinds = 0;
   std::uint64_t inserts_fitted = 0;
-  std::uint64_t edges_used = 0;  ///< edges taken out
-  double edge_minutes_used = 0;  ///< cutting minutes of the edges taken out
+  std::uint64_t edges_used = 0;      ///< edges taken out
+  double edge_minutes_used = 0;      ///< cutting minutes of the edges taken out
+  std::uint64_t edges_unspent = 0;   ///< of those, taken out before they failed
+  double life_left = 0;              ///< sum over them of the share of life left
+  std::int64_t edges_at_start = 0;   ///< in tools at the start of the counted time
+  std::int64_t edges_fitted = 0;     ///< usable ones, with new inserts
+  std::int64_t edges_reground = 0;   ///< that regrinding brought back
+  std::int64_t edges_discarded = 0;  ///< never used: unusable ones, and those a failure broke
   double insert_cost = 0;
   double regrind_cost = 0;
   double damage_cost = 0;
+  double element_cost = 0;
 };
 
 struct PartCounts {
@@ -73,16 +90,21 @@ class Shop {
     std::size_t group;  // of the machines that do it
     operations::CutPlan plan;
     std::optional<sim::Distribution> time_law;
+    /// Mean lives, min, of the elements that its tool has a service for; infinite: not worn.
+    std::vector<double> element_mean_min;
   };
   struct Group;
   struct MountedTool;
+  struct ToolPool;
+  struct ElementUnit;
   struct MachineUnit;
   struct CrewUnit;
 
   [[nodiscard]] sim::Task<void> machine_process(MachineUnit& machine);
   [[nodiscard]] sim::Task<void> arrival_process(std::size_t part);
-  [[nodiscard]] sim::Task<void> cut(MachineUnit& machine, MountedTool& tool, double main_time_min,
-                                    double mean_life_min, Job& job);
+  /// Cuts one part: `main_time_min` at full feed.
+  [[nodiscard]] sim::Task<void> cut(MachineUnit& machine, MountedTool& tool,
+                                    const PlannedOperation& operation, double main_time_min, Job& job);
   /// The machine spends `time_min` in `state`, and so does the tool that works (null: none). The only place
   /// where time passes for a machine that has work: what stretches it (failures, ends of shifts) is dealt
   /// with there.
@@ -91,8 +113,41 @@ class Shop {
   /// A member of the crew comes to the machine, which waits for it.
   [[nodiscard]] sim::Task<sim::Hold> call_crew(MachineUnit& machine, CrewUnit& crew,
                                                MountedTool* tool = nullptr);
+  /// A member of the crew comes to the tool room.
+  [[nodiscard]] static sim::Task<sim::Hold> call_crew(CrewUnit& crew);
+  /// The edges of the tool are changed, on the machine or by a sister tool. A failure that no tooth has had
+  /// is a break of the whole tool.
   [[nodiscard]] sim::Task<void> change_edge(MachineUnit& machine, MountedTool& tool, bool after_failure,
                                             double mean_life_min);
+  /// The crew `present` (null: nobody yet) changes edges on the machine.
+  [[nodiscard]] sim::Task<void> change_on_machine(MachineUnit& machine, MountedTool& tool, bool after_failure,
+                                                  double mean_life_min, const CrewUnit* present);
+  /// Edges whose strategy uses other stops are changed while the machine stands: `stopped_for` (null: not for
+  /// a tool) is not asked, `present` (null: nobody) is at the machine already.
+  [[nodiscard]] sim::Task<void> join_stop(MachineUnit& machine, const MountedTool* stopped_for,
+                                          const CrewUnit* present);
+  [[nodiscard]] sim::Task<void> swap_tool(MachineUnit& machine, MountedTool& tool, bool after_failure,
+                                          double mean_life_min);
+  /// A copy comes into the machine; waits until one is ready.
+  [[nodiscard]] sim::Task<void> fetch_tool(MachineUnit& machine, MountedTool& tool);
+  /// A shared copy is free for other machines.
+  static void put_back(MountedTool& tool);
+  /// New edges, regrinding and setting off the machine; then the copy is ready again.
+  [[nodiscard]] sim::Task<void> tool_room(MountedTool& tool, ToolBody& body, bool after_failure,
+                                          double mean_life_min);
+  [[nodiscard]] sim::Task<void> wait_for_inserts(MachineUnit& machine, MountedTool& tool,
+                                                 std::int64_t inserts);
+  [[nodiscard]] sim::Task<void> inspect_edge(MachineUnit& machine, MountedTool& tool, double mean_life_min);
+  [[nodiscard]] sim::Task<void> change_element(MachineUnit& machine, MountedTool& tool, ElementUnit& element);
+  /// Books a change; `renew_teeth` makes it and returns `time_min` plus the time at the teeth.
+  void count_change(const MountedTool& tool, bool after_failure);
+  [[nodiscard]] double renew_teeth(MountedTool& tool, ToolBody& body, bool after_failure, bool reground,
+                                   double mean_life_min, double time_min);
+  void build_tools();
+  /// Edges in all copies of a tool.
+  [[nodiscard]] std::int64_t edges_in_tools(std::size_t tool) const;
+  void reset_tool_counts();
+  void settle_tools();
   [[nodiscard]] std::optional<Job> next_job(Group& group);
   /// Whether the tool breaks in this cut, and whether the part is spoiled by the process, as the plan says.
   [[nodiscard]] static bool breaks(MachineUnit& machine, const PlannedOperation& operation);
@@ -106,12 +161,17 @@ class Shop {
   void each_kpi(const KpiSink& sink) const;
   /// `finished` parts in the counted time, good or scrapped.
   void tool_kpis(double finished, const KpiSink& sink) const;
+  void insert_kpis(double finished, const KpiSink& sink) const;
 
   const scenarios::Scenario& scenario_;
   std::uint64_t replication_;
   sim::Simulation sim_;
   std::vector<PlannedOperation> operations_;  // one per operation of the scenario
   std::vector<std::unique_ptr<CrewUnit>> crews_;
+  std::vector<scenarios::Insert> inserts_;          // as fitted; behind them one for tools without
+  std::vector<std::unique_ptr<LotSource>> lots_;    // one per insert; null: one lot
+  std::vector<std::unique_ptr<InsertCrib>> cribs_;  // one per insert; null: always enough
+  std::vector<std::unique_ptr<ToolPool>> pools_;    // of copies
   std::vector<std::unique_ptr<Group>> groups_;
   std::vector<std::unique_ptr<MachineUnit>> machines_;
   std::vector<ToolCounts> tools_;  // one per tool of the scenario

@@ -13,12 +13,15 @@ enum class MachineState {
   planned_change,  ///< the crew indexes or changes an insert as planned
   failure_change,  ///< the crew does so after an edge has failed
   waiting_crew,    ///< an edge is to be changed, the crew is busy elsewhere
-  idle             ///< no part to work on
+  idle,            ///< no part to work on
+  waiting_tool,    ///< no sister tool is ready, or the crib has no insert
+  tool_swap        ///< a sister tool comes out of the magazine: nobody is needed
 };
-inline constexpr std::size_t machine_states = 6;
+inline constexpr std::size_t machine_states = 8;
 [[nodiscard]] constexpr std::string_view name_of(MachineState state) {
   constexpr std::array<std::string_view, machine_states> names = {
-      "cutting", "working", "planned_change", "failure_change", "waiting_crew", "idle"};
+      "cutting",      "working", "planned_change", "failure_change",
+      "waiting_crew", "idle",    "waiting_tool",   "tool_swap"};
   return names[static_cast<std::size_t>(state)];
 }
 
