@@ -78,6 +78,14 @@ LongRunModel::LongRunModel(const scenarios::Scenario& scenario) : scenario_(scen
           fmt::format("/tools/{}/crew = \"{}\", is paid by the shift: its cost per part depends on "
                       "the whole shop and is left to the simulation",
                       t, tool.crew));
+    const Insert* insert = scenarios::find_named(scenario.inserts, tool.insert);
+    if (insert != nullptr && insert->lots)
+      throw scenarios::InputError(
+          fmt::format("/tools/{}/insert", t),
+          fmt::format(
+              "/tools/{}/insert = \"{}\", comes in lots that differ: its cost per part is left to the "
+              "simulation",
+              t, tool.insert));
     if (tool.teeth > 1 || scenarios::changed_off_line(tool) || !tool.elements.empty())
       throw scenarios::InputError(
           fmt::format("/tools/{}", t),
