@@ -72,7 +72,15 @@ LongRunModel::LongRunModel(const scenarios::Scenario& scenario) : scenario_(scen
                                             scenario.parts.size()));
   for (std::size_t t = 0; t < scenario.tools.size(); ++t) {
     const Tool& tool = scenario.tools[t];
-    if (scenarios::find_named(scenario.crews, tool.crew)->pay == scenarios::CrewPay::shift)
+    const Crew* crew = scenarios::find_named(scenario.crews, tool.crew);
+    if (crew == nullptr)
+      throw scenarios::InputError(
+          fmt::format("/tools/{}/crew", t),
+          fmt::format(
+              "/tools/{}/crew = \"{}\", is a skill of several crews: its cost per part is left to the "
+              "simulation",
+              t, tool.crew));
+    if (crew->pay == scenarios::CrewPay::shift)
       throw scenarios::InputError(
           fmt::format("/tools/{}/crew", t),
           fmt::format("/tools/{}/crew = \"{}\", is paid by the shift: its cost per part depends on "
@@ -96,7 +104,8 @@ LongRunModel::LongRunModel(const scenarios::Scenario& scenario) : scenario_(scen
 }
 
 OperationCost LongRunModel::operation_cost(const Operation& operation) const {
-  const double machine_rate = scenarios::find_named(scenario_.machines, operation.machine)->rate_per_min;
+  const double machine_rate =
+      scenario_.machines[scenarios::groups_of(scenario_, operation).front()].rate_per_min;
   const operations::CutPlan plan = scenarios::plan(scenario_, operation);
   if (plan.breakage_probability > 0 && plan.edge && !operation.tool.empty())
     throw scenarios::InputError(

@@ -39,9 +39,22 @@ void check_reference(const std::vector<T>& all, const std::string& name, const s
 
 void check_insert(const Scenario& s, const Insert& insert, const std::string& at);
 void check_tool(const Scenario& s, const Tool& tool, const std::string& at);
+/// Of the operations that use it, when those have been checked.
+void check_tool_use(const Scenario& s, const Tool& tool, const std::string& at);
 /// The tools that its operations need have room in the magazine of the machine.
 void check_magazine(const Scenario& s, const Machine& machine, const std::string& at);
 void check_operation(const Scenario& s, const Operation& operation, const std::string& at);
 void check_part(const Scenario& s, const PartType& part, const std::string& at);
+void check_route(const Scenario& s, const PartType& part, const std::string& at);
+void check_store(const Scenario& s, const Store& store, const std::string& at);
+void check_transport(const Scenario& s, const Transport& transport, const std::string& at);
+void check_machine(const Scenario& s, const Machine& machine, const std::string& at);
+void check_crew(const Scenario& s, const Crew& crew, const std::string& at);
+void check_calendar(const Calendar& calendar, const std::string& at);
+void check_spare(const Spare& spare, const std::string& at);
+/// Refuses a shop whose machines cannot keep up with the demand, unless it says that it knows.
+void check_capacity(const Scenario& s);
+/// The name must be that of a crew, or a skill that some crew has.
+void check_crew_or_skill(const Scenario& s, const std::string& name, const std::string& pointer);
 
 }  // namespace verstat::scenarios

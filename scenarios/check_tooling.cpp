@@ -63,12 +63,7 @@ void check_elements(const Scenario& s, const Tool& tool, const std::string& at) 
   std::vector<std::string> worn;
   for (const Operation& operation : s.operations) {
     if (!uses(operation, tool)) continue;
-    check_reference(s.machines, operation.machine, "/operations/" + operation.name + "/machine", "machine");
-    try {
-      for (const auto& element : plan(s, operation).more_elements) worn.emplace_back(element.element);
-    } catch (const models::ModelError&) {
-      return;  // the check of the operation says why
-    }
+    for (const auto& element : plan(s, operation).more_elements) worn.emplace_back(element.element);
   }
   for (std::size_t k = 0; k < tool.elements.size(); ++k) {
     const ElementService& service = tool.elements[k];
@@ -115,20 +110,23 @@ void check_insert(const Scenario&, const Insert& insert, const std::string& at) 
 void check_tool(const Scenario& s, const Tool& tool, const std::string& at) {
   if (!tool.insert.empty() || tool.elements.empty())
     check_reference(s.inserts, tool.insert, at + "/insert", "insert");
-  check_reference(s.crews, tool.crew, at + "/crew", "crew");
-  if (!tool.failure_crew.empty()) check_reference(s.crews, tool.failure_crew, at + "/failure_crew", "crew");
+  check_crew_or_skill(s, tool.crew, at + "/crew");
+  if (!tool.failure_crew.empty()) check_crew_or_skill(s, tool.failure_crew, at + "/failure_crew");
   check_law(tool.change.index, at + "/change/index");
   check_law(tool.change.replace, at + "/change/replace");
   check_law(tool.change.swap, at + "/change/swap");
   if (tool.presetting) {
     check_law(tool.presetting->time, at + "/presetting/time");
     if (!tool.presetting->crew.empty())
-      check_reference(s.crews, tool.presetting->crew, at + "/presetting/crew", "crew");
+      check_crew_or_skill(s, tool.presetting->crew, at + "/presetting/crew");
   }
   if (tool.regrind) check_law(tool.regrind->time, at + "/regrind/time");
   check_copies(tool, at);
   if (!tool.insert.empty())
     check_strategy(tool, prepared(*find_named(s.inserts, tool.insert)), at + "/strategy");
+}
+
+void check_tool_use(const Scenario& s, const Tool& tool, const std::string& at) {
   check_mill(s, tool, at);
   check_elements(s, tool, at);
 }
@@ -139,7 +137,10 @@ void check_magazine(const Scenario& s, const Machine& machine, const std::string
   std::string contents;
   for (const Tool& tool : s.tools) {
     const bool used = std::any_of(s.operations.begin(), s.operations.end(), [&](const Operation& operation) {
-      return uses(operation, tool) && operation.machine == machine.name;
+      if (!uses(operation, tool)) return false;
+      const auto groups = groups_of(s, operation);
+      return std::any_of(groups.begin(), groups.end(),
+                         [&](std::size_t g) { return &s.machines[g] == &machine; });
     });
     if (!used || tool.magazine_places == 0) continue;
     const std::int64_t copies = tool.shared ? 1 : tool.copies;

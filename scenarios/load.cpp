@@ -28,17 +28,41 @@ void follow_each_tooth(operations::CutPlan& plan) {
 
 }  // namespace
 
-operations::CutPlan plan(const Scenario& scenario, const Operation& operation) {
-  operations::PlanContext context{.machine = &find_named(scenario.machines, operation.machine)->limits};
+operations::CutPlan plan(const Scenario& scenario, const Operation& operation, const Machine& machine) {
+  operations::PlanContext context{.machine = &machine.limits};
   const Tool* tool = operation.tool.empty() ? nullptr : find_named(scenario.tools, operation.tool);
-  EdgeLife edge;
+  EdgeLife after_preparation;
   if (tool != nullptr && !tool->insert.empty()) {
-    edge = prepared(*find_named(scenario.inserts, tool->insert)).edge_life;
-    context.edge = &edge;
+    const Insert& insert = *find_named(scenario.inserts, tool->insert);
+    if (insert.preparation) {
+      after_preparation = prepared(insert).edge_life;
+      context.edge = &after_preparation;
+    } else {
+      context.edge = &insert.edge_life;
+    }
   }
   operations::CutPlan plan = operation.process.plan(context);
   if (tool != nullptr && tool->teeth > 1) follow_each_tooth(plan);
   return plan;
+}
+
+operations::CutPlan plan(const Scenario& scenario, const Operation& operation) {
+  return plan(scenario, operation, scenario.machines.at(groups_of(scenario, operation).at(0)));
+}
+
+std::vector<std::size_t> groups_of(const Scenario& scenario, const Operation& operation) {
+  const auto index = [&](const std::string& name) {
+    return static_cast<std::size_t>(find_named(scenario.machines, name) - scenario.machines.data());
+  };
+  std::vector<std::size_t> groups;
+  if (!operation.machine.empty()) groups.push_back(index(operation.machine));
+  for (const std::string& name : operation.machines) groups.push_back(index(name));
+  if (!operation.capability.empty())
+    for (std::size_t g = 0; g < scenario.machines.size(); ++g) {
+      const auto& has = scenario.machines[g].capabilities;
+      if (std::find(has.begin(), has.end(), operation.capability) != has.end()) groups.push_back(g);
+    }
+  return groups;
 }
 
 std::optional<double> gamma_of(const Strategy& strategy) {
@@ -132,27 +156,39 @@ void check_each(const std::vector<T>& all, const std::string& list, Check&& chec
 void check_whole(const Scenario& s) {
   check_names(names_of(s.inserts), "/inserts");
   check_names(names_of(s.tools), "/tools");
+  check_names(names_of(s.calendars), "/calendars");
   check_names(names_of(s.crews), "/crews");
+  check_names(names_of(s.spares), "/spares");
   check_names(names_of(s.machines), "/machines");
   check_names(names_of(s.operations), "/operations");
   check_names(names_of(s.stores), "/stores");
   check_names(names_of(s.parts), "/parts");
-  check_each(s.inserts, "/inserts", [&](const Insert& i, const std::string& at) { check_insert(s, i, at); });
-  check_each(s.tools, "/tools", [&](const Tool& t, const std::string& at) { check_tool(s, t, at); });
-  check_each(s.machines, "/machines",
-             [&](const Machine& m, const std::string& at) { check_magazine(s, m, at); });
-  check_each(s.operations, "/operations",
-             [&](const Operation& o, const std::string& at) { check_operation(s, o, at); });
-  check_each(s.parts, "/parts", [&](const PartType& p, const std::string& at) { check_part(s, p, at); });
+  check_names(names_of(s.transport), "/transport");
+  using Text = const std::string&;
+  check_each(s.inserts, "/inserts", [&](const Insert& x, Text at) { check_insert(s, x, at); });
+  check_each(s.tools, "/tools", [&](const Tool& x, Text at) { check_tool(s, x, at); });
+  check_each(s.calendars, "/calendars", check_calendar);
+  check_each(s.crews, "/crews", [&](const Crew& x, Text at) { check_crew(s, x, at); });
+  check_each(s.spares, "/spares", check_spare);
+  check_each(s.machines, "/machines", [&](const Machine& x, Text at) { check_machine(s, x, at); });
+  check_each(s.operations, "/operations", [&](const Operation& x, Text at) { check_operation(s, x, at); });
+  check_each(s.tools, "/tools", [&](const Tool& x, Text at) { check_tool_use(s, x, at); });
+  check_each(s.machines, "/machines", [&](const Machine& x, Text at) { check_magazine(s, x, at); });
+  check_each(s.parts, "/parts", [&](const PartType& x, Text at) { check_part(s, x, at); });
+  check_each(s.stores, "/stores", [&](const Store& x, Text at) { check_store(s, x, at); });
+  check_each(s.transport, "/transport", [&](const Transport& x, Text at) { check_transport(s, x, at); });
   const SimulationSettings& run = s.simulation;
   if (run.warmup_min >= run.horizon_min)
     fail("/simulation/warmup_min", fmt::format("{}", run.warmup_min),
          fmt::format("must be below horizon_min = {}: nothing would be counted", run.horizon_min));
+  std::vector<bool> busy(s.machines.size(), false);
+  for (const Operation& operation : s.operations)
+    for (const std::size_t g : groups_of(s, operation)) busy[g] = true;
   for (std::size_t k = 0; k < s.machines.size(); ++k)
-    if (std::none_of(s.operations.begin(), s.operations.end(),
-                     [&](const Operation& o) { return o.machine == s.machines[k].name; }))
+    if (!busy[k])
       fail(fmt::format("/machines/{}/name", k), quoted(s.machines[k].name),
            "has no operation to do: no operation names it");
+  check_capacity(s);
 }
 
 }  // namespace

@@ -13,59 +13,12 @@
 
 #include "models/catalogue/field.h"
 #include "operations/kind.h"
+#include "scenarios/flow.h"
+#include "scenarios/machines.h"
+#include "scenarios/people.h"
 #include "scenarios/tooling.h"
 
 namespace verstat::scenarios {
-
-// ------------------------------------------------------------------------------------- people, machines,
-// parts
-enum class CrewPay {
-  busy,  ///< paid for the minutes worked (K117)
-  shift  ///< paid for the whole scheduled time
-};
-struct Crew {
-  std::string name;
-  std::int64_t members = 1;
-  double rate_per_min = 0;
-  CrewPay pay = CrewPay::busy;
-};
-
-struct Machine {
-  std::string name;
-  std::string model;
-  std::int64_t count = 1;
-  double rate_per_min = 0;
-  operations::MachineLimits limits;
-  std::optional<std::int64_t> magazine;  ///< tool places; none: no bound
-};
-
-struct Operation {
-  std::string name;
-  std::string machine;
-  std::string tool;  ///< empty: no tool that wears
-  operations::Process process;
-};
-
-struct AlwaysAvailable {
-  static constexpr const char* kind = "always_available";
-};
-struct Interarrival {
-  static constexpr const char* kind = "interarrival";
-  Duration time;
-};
-using Supply = std::variant<AlwaysAvailable, Interarrival>;
-
-struct PartType {
-  std::string name;
-  Supply supply;
-  std::vector<std::string> route;  ///< names of operations
-  double value = 0;                ///< lost when the part is scrapped
-  std::string store;               ///< where good parts go
-};
-
-struct Store {
-  std::string name;
-};
 
 // ---------------------------------------------------------------------------------------------------- the
 // whole
@@ -74,11 +27,20 @@ struct Seed {
   std::uint64_t value = 1;
 };
 
+/// What a planned insert change counts as in the OEE.
+enum class PlannedChange {
+  setup,            ///< an availability loss, with the set-ups
+  delay,            ///< an availability loss, with the stops (ISO 22400: delay time)
+  planned_downtime  ///< outside the planned busy time
+};
+
 struct SimulationSettings {
   double horizon_min = 120'000;
   double warmup_min = 0;
   std::int64_t replications = 20;
   Seed seed;
+  PlannedChange planned_change = PlannedChange::delay;
+  bool allow_overload = false;  ///< simulate a shop that cannot keep up with its demand
   double unattended_min = 480;  ///< interval whose chance of passing without a stop is reported
 };
 
@@ -89,16 +51,28 @@ struct Scenario {
   SimulationSettings simulation;
   std::vector<Insert> inserts;
   std::vector<Tool> tools;
+  std::vector<Calendar> calendars;
   std::vector<Crew> crews;
+  std::vector<Spare> spares;
   std::vector<Machine> machines;
   std::vector<Operation> operations;
   std::vector<Store> stores;
   std::vector<PartType> parts;
+  std::vector<Transport> transport;
+  std::vector<LayoutEdge> layout;
+  double energy_price_per_kwh = 0;
 };
 
-/// The plan of an operation with the tool and the machine that the scenario gives it.
+/// The plan of an operation on a machine, with the tool that the scenario gives it.
 /// Throws models::ModelError when its process models refuse the specification.
+[[nodiscard]] operations::CutPlan plan(const Scenario& scenario, const Operation& operation,
+                                       const Machine& machine);
+/// The same on the first of its machine groups.
 [[nodiscard]] operations::CutPlan plan(const Scenario& scenario, const Operation& operation);
+
+/// Indices of the machine groups that can do the operation, in the order in which they are named (a
+/// capability: in the order of the scenario).
+[[nodiscard]] std::vector<std::size_t> groups_of(const Scenario& scenario, const Operation& operation);
 
 /// The members of a scenario, for the loader, the schema and the reference page.
 [[nodiscard]] const std::vector<models::Field>& scenario_fields();

@@ -13,14 +13,14 @@ InsertCrib::InsertCrib(sim::Simulation& sim, const scenarios::InsertStock& spec,
       shelf_(sim, std::numeric_limits<double>::infinity(), static_cast<double>(spec.stock), insert),
       lead_time_(law_of(spec.lead_time)),
       lead_stream_(seed, insert, "lead time", replication),
-      position_(spec.stock) {
+      position_(spec.stock),
+      mean_stock_(0.0, static_cast<double>(spec.stock)) {
   reset_counts();
 }
 
 void InsertCrib::reset_counts() {
   counts_ = Counts{.stock_at_start = stock()};
-  shelf_clock_.set(shelf_.level(), sim_->now());
-  shelf_clock_.reset(sim_->now());
+  mean_stock_.reset(sim_->now());
 }
 
 bool InsertCrib::would_wait(std::int64_t inserts) const {
@@ -38,14 +38,14 @@ sim::Task<void> InsertCrib::issue(std::int64_t inserts) {
   }
   co_await shelf_.get(static_cast<double>(inserts));
   counts_.issued += inserts;
-  shelf_clock_.set(shelf_.level(), sim_->now());
+  mean_stock_.set(sim_->now(), shelf_.level());
 }
 
 sim::Task<void> InsertCrib::deliver(std::int64_t inserts, double lead_min) {
   co_await sim_->delay(lead_min);
   co_await shelf_.put(static_cast<double>(inserts));
   counts_.delivered += inserts;
-  shelf_clock_.set(shelf_.level(), sim_->now());
+  mean_stock_.set(sim_->now(), shelf_.level());
 }
 
 }  // namespace verstat::shop

@@ -9,7 +9,7 @@
 #include "sim/kernel/distribution.h"
 #include "sim/kernel/random_stream.h"
 #include "sim/kernel/simulation.h"
-#include "sim/shop/level_clock.h"
+#include "sim/kernel/tally.h"
 
 namespace verstat::shop {
 
@@ -37,10 +37,9 @@ class InsertCrib {
   };
   [[nodiscard]] const Counts& counts() const { return counts_; }
   [[nodiscard]] std::int64_t stock() const { return static_cast<std::int64_t>(shelf_.level()); }
-  /// Integral of the stock over time, inserts x min, up to the last settle.
-  [[nodiscard]] double stock_area_min() const { return shelf_clock_.area_min(); }
+  /// Mean number of inserts on the shelf since the last reset.
+  [[nodiscard]] double mean_stock() const { return mean_stock_.mean(sim_->now()); }
   void reset_counts();
-  void settle() { shelf_clock_.settle(sim_->now()); }
 
  private:
   [[nodiscard]] sim::Task<void> deliver(std::int64_t inserts, double lead_min);
@@ -51,7 +50,7 @@ class InsertCrib {
   sim::Distribution lead_time_;
   sim::RandomStream lead_stream_;
   std::int64_t position_;  // shelf + ordered - owed
-  LevelClock shelf_clock_;
+  sim::TimeWeighted mean_stock_;
   Counts counts_;
 };
 

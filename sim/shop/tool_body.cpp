@@ -85,6 +85,13 @@ double ToolBody::worst_share_of_life() const {
   return worst;
 }
 
+double ToolBody::largest_wear() const {
+  double largest = 0;
+  for (const Tooth& tooth : teeth_)
+    if (!tooth.failed) largest = std::max(largest, tooth.insert.wear());
+  return largest;
+}
+
 std::int64_t ToolBody::edges_held() const {
   std::int64_t edges = 0;
   for (const Tooth& tooth : teeth_) edges += tooth.insert.edges_held();

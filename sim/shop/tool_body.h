@@ -56,6 +56,8 @@ class ToolBody {
   [[nodiscard]] double wear_since_plan() const { return wear_since_plan_; }
   /// Largest share of its own life that a working edge has used up.
   [[nodiscard]] double worst_share_of_life() const;
+  /// Of a working edge, mean lives.
+  [[nodiscard]] double largest_wear() const;
   [[nodiscard]] std::int64_t edges_held() const;
 
   /// Decides which teeth are changed and what comes after their edges (draws, changes nothing else). Returns

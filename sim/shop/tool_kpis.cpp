@@ -32,7 +32,6 @@ std::optional<double> events_for(const Counts& counts, double target) {
 }  // namespace
 
 void Shop::tool_kpis(double finished, const KpiSink& sink) const {
-  const double window_min = scenario_.simulation.horizon_min - scenario_.simulation.warmup_min;
   for (std::size_t t = 0; t < tools_.size(); ++t) {
     const ToolCounts& counts = tools_[t];
     const scenarios::Tool& spec = scenario_.tools[t];
@@ -98,10 +97,18 @@ void Shop::tool_kpis(double finished, const KpiSink& sink) const {
     count("edges/used", "edges taken out after use", counts.edges_used);
     count("edges/discarded", "usable edges that a failure broke before their use", counts.edges_discarded);
     count("edges/at_end", "usable edges in the tools at the end", edges_in_tools(t));
-    for (std::size_t s = 0; s < machine_states; ++s)
-      put(fmt::format("state/{}", name_of(static_cast<MachineState>(s))), "1",
+    double other_min = places * window_min();
+    for (const MachineState state :
+         {MachineState::cutting, MachineState::planned_change, MachineState::failure_change,
+          MachineState::waiting_crew, MachineState::waiting_tool, MachineState::tool_swap,
+          MachineState::idle}) {
+      other_min -= in(state);
+      put(fmt::format("state/{}", name_of(state)), "1",
           "share of the time, mean over the machines that hold the tool",
-          ratio(state_min[s], places * window_min));
+          ratio(in(state), places * window_min()));
+    }
+    put("state/other", "1", "share of the time in other stops of the machine and outside its calendar",
+        ratio(std::max(0.0, other_min), places * window_min()));
     if (std::holds_alternative<scenarios::ConditionBased>(spec.strategy)) {
       count("inspections", "inspections of edges", counts.inspections);
       count("worn_found", "inspections that found a worn edge", counts.worn_found);
@@ -130,7 +137,6 @@ void Shop::tool_kpis(double finished, const KpiSink& sink) const {
 }
 
 void Shop::insert_kpis(double finished, const KpiSink& sink) const {
-  const double window_min = scenario_.simulation.horizon_min - scenario_.simulation.warmup_min;
   for (std::size_t i = 0; i < scenario_.inserts.size(); ++i) {
     const std::string& name = scenario_.inserts[i].name;
     const auto put = [&](const char* kpi, const char* unit, const char* meaning,
@@ -150,8 +156,7 @@ void Shop::insert_kpis(double finished, const KpiSink& sink) const {
       put("crib/delivered", "1", "inserts that orders brought", static_cast<double>(counts.delivered));
       put("crib/issued", "1", "inserts handed out", static_cast<double>(counts.issued));
       put("crib/stock_at_end", "1", "inserts on the shelf at the end", static_cast<double>(crib->stock()));
-      put("crib/mean_stock", "1", "mean number of inserts on the shelf",
-          ratio(crib->stock_area_min(), window_min));
+      put("crib/mean_stock", "1", "mean number of inserts on the shelf", crib->mean_stock());
       put("crib/stock_outs", "1", "requests that had to wait", static_cast<double>(counts.stock_outs));
       put("crib/stock_out_share", "1", "requests that had to wait / all requests",
           ratio(static_cast<double>(counts.stock_outs), static_cast<double>(counts.requests)));

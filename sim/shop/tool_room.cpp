@@ -11,8 +11,7 @@ sim::Task<void> Shop::fetch_tool(MachineUnit& machine, MountedTool& tool) {
   } else {
     ++tools_[tool.index].waits;
     tool.stops.add(sim_.now());
-    machine.clock.enter(MachineState::waiting_tool, sim_.now());
-    tool.clock.enter(MachineState::waiting_tool, sim_.now());
+    enter(machine, MachineState::waiting_tool, &tool);
     copy = co_await tool.pool->ready.get();
   }
   tool.body = copy;
@@ -53,29 +52,19 @@ sim::Task<void> Shop::tool_room(MountedTool& tool, ToolBody& body, bool after_fa
   if (reground) {
     ++body.regrinds;
     ++tools_[tool.index].regrinds;
-    tools_[tool.index].regrind_cost +=
-        after_failure ? tool.spec->regrind_failure : tool.spec->regrind_planned;
+    costs_.book(Cost::regrinding, after_failure ? tool.spec->regrind_failure : tool.spec->regrind_planned);
     const double away_min = tool.regrind_time->sample(tool.regrind_stream);
     co_await sim_.delay(away_min);
   } else if (used_up > 0) {
     body.regrinds = 0;
     if (tool.crib != nullptr) co_await tool.crib->issue(used_up);
   }
-  CrewUnit& crew = *tool.presetting_crew;
-  const sim::Hold hold = co_await call_crew(crew);
-  const double setting_min = tool.presetting_time ? tool.presetting_time->sample(tool.presetting_stream) : 0;
-  const double time_min =
-      renew_teeth(tool, body, after_failure, reground, mean_life_min,
-                  setting_min + (tool.presetting_time ? 0 : tool.spec->change.positioning_min));
-  crew.off_line.add(1, sim_.now());
+  const CrewHold hold = co_await labour_->call(tool.presetting_crews, 0, Cost::tool_room);
+  const double setting_min = tool.presetting_time ? tool.presetting_time->sample(tool.presetting_stream)
+                                                  : tool.spec->change.positioning_min;
+  const double time_min = renew_teeth(tool, body, after_failure, reground, mean_life_min, setting_min);
   co_await sim_.delay(time_min);
-  crew.off_line.add(-1, sim_.now());
   tool.pool->ready.try_put(&body);
-}
-
-sim::Task<sim::Hold> Shop::call_crew(CrewUnit& crew) {
-  sim::Hold hold = co_await crew.members.acquire();
-  co_return hold;
 }
 
 }  // namespace verstat::shop

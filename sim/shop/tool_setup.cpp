@@ -1,4 +1,5 @@
 // Tools of a shop built from the scenario: copies, crib, lots, elements.
+#include <algorithm>
 #include <limits>
 
 #include <fmt/format.h>
@@ -35,27 +36,34 @@ void Shop::ElementUnit::renew() {
   use_min = 0;
 }
 
-Shop::MountedTool::MountedTool(const scenarios::Scenario& scenario, const scenarios::Tool& tool,
-                               std::size_t tool_index, const scenarios::Insert& insert,
-                               const std::string& entity, std::uint64_t replication)
-    : spec(&tool),
+Shop::MountedTool::MountedTool(const scenarios::Scenario& scenario, std::size_t tool_index,
+                               const scenarios::Insert& insert, const MachineUnit& unit,
+                               std::uint64_t replication)
+    : spec(&scenario.tools[tool_index]),
       insert_spec(&insert),
       index(tool_index),
-      strategy(make_strategy(tool.strategy, models::LifeLaw(insert.edge_life.law, 1.0, insert.edge_life.cv))),
-      index_time(law_of(tool.change.index)),
-      replace_time(law_of(tool.change.replace)),
-      swap_time(law_of(tool.change.swap)),
-      index_stream(scenario.simulation.seed.value, entity, "index time", replication),
-      replace_stream(scenario.simulation.seed.value, entity, "replace time", replication),
-      scrap_stream(scenario.simulation.seed.value, entity, "scrap", replication),
-      swap_stream(scenario.simulation.seed.value, entity, "swap time", replication),
-      inspection_stream(scenario.simulation.seed.value, entity, "edge inspection", replication),
-      presetting_stream(scenario.simulation.seed.value, entity, "presetting time", replication),
-      regrind_stream(scenario.simulation.seed.value, entity, "regrinding time", replication) {
-  if (const auto* watch = std::get_if<scenarios::ConditionBased>(&tool.strategy))
+      machine(unit.index),
+      strategy(
+          make_strategy(spec->strategy, models::LifeLaw(insert.edge_life.law, 1.0, insert.edge_life.cv))),
+      clock(unit.group->working_time ? &*unit.group->working_time : nullptr),
+      index_time(law_of(spec->change.index)),
+      replace_time(law_of(spec->change.replace)),
+      swap_time(law_of(spec->change.swap)),
+      index_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "index time", replication),
+      replace_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "replace time",
+                     replication),
+      scrap_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "scrap", replication),
+      swap_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "swap time", replication),
+      inspection_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "edge inspection",
+                        replication),
+      presetting_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "presetting time",
+                        replication),
+      regrind_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "regrinding time",
+                     replication) {
+  if (const auto* watch = std::get_if<scenarios::ConditionBased>(&spec->strategy))
     sign_share = share_of_life_shown(watch->sign);
-  if (tool.presetting) presetting_time = law_of(tool.presetting->time);
-  if (tool.regrind) regrind_time = law_of(tool.regrind->time);
+  if (spec->presetting) presetting_time = law_of(spec->presetting->time);
+  if (spec->regrind) regrind_time = law_of(spec->regrind->time);
 }
 
 ToolView Shop::MountedTool::view(double main_time_min) const {
@@ -99,59 +107,59 @@ void Shop::build_tools() {
     pools_.push_back(std::move(pool));
     return pools_.back().get();
   };
-  const auto crew_of = [&](const std::string& name) {
-    return crews_[position_of(scenario_.crews, name)].get();
+  std::map<std::size_t, ToolPool*> shared;
+  const auto mount = [&](MachineUnit& machine, std::size_t index) {
+    const scenarios::Tool& tool = scenario_.tools[index];
+    const std::size_t insert = insert_of(tool);
+    auto mounted = std::make_unique<MountedTool>(scenario_, index, inserts_[insert], machine, replication_);
+    mounted->crews = labour_->crews_for(tool.crew);
+    mounted->failure_crews =
+        tool.failure_crew.empty() ? mounted->crews : labour_->crews_for(tool.failure_crew);
+    mounted->presetting_crews = tool.presetting && !tool.presetting->crew.empty()
+                                    ? labour_->crews_for(tool.presetting->crew)
+                                    : mounted->crews;
+    mounted->crib = cribs_[insert].get();
+    const std::string entity = machine.name + "/" + tool.name;
+    if (tool.shared) {
+      ToolPool*& pool = shared[index];
+      if (pool == nullptr) pool = pool_of(index, tool.name);
+      mounted->pool = pool;
+    } else if (scenarios::changed_off_line(tool)) {
+      mounted->pool = pool_of(index, entity);
+    } else {
+      mounted->own = body_of(tool, entity);
+      mounted->body = mounted->own.get();
+    }
+    if (std::holds_alternative<scenarios::Opportunistic>(tool.strategy)) machine.has_joiners = true;
+    // The law of an element is that of the first operation which wears it.
+    for (const scenarios::ElementService& service : tool.elements) {
+      const operations::ElementLife* life = nullptr;
+      for (const OperationUnit& operation : operations_)
+        for (const operations::ElementLife& element : operation.on.front().plan.more_elements)
+          if (life == nullptr && operation.spec->tool == tool.name && service.element == element.element)
+            life = &element;
+      mounted->elements.emplace_back(service, *life, seed, entity, replication_);
+    }
+    machine.tools[tool.name] = std::move(mounted);
   };
 
-  std::map<std::size_t, ToolPool*> shared;
-  for (const auto& machine : machines_)
-    for (PlannedOperation& operation : operations_) {
-      const std::string& name = operation.spec->tool;
-      if (name.empty() || groups_[operation.group].get() != machine->group) continue;
-      if (!machine->tools.contains(name)) {
-        const std::size_t index = position_of(scenario_.tools, name);
-        const scenarios::Tool& tool = scenario_.tools[index];
-        const std::string entity = machine->name + "/" + name;
-        const std::size_t insert = insert_of(tool);
-        auto mounted =
-            std::make_unique<MountedTool>(scenario_, tool, index, inserts_[insert], entity, replication_);
-        mounted->crew = crew_of(tool.crew);
-        mounted->failure_crew = tool.failure_crew.empty() ? mounted->crew : crew_of(tool.failure_crew);
-        mounted->presetting_crew = tool.presetting && !tool.presetting->crew.empty()
-                                       ? crew_of(tool.presetting->crew)
-                                       : mounted->crew;
-        mounted->crib = cribs_[insert].get();
-        if (tool.shared) {
-          ToolPool*& pool = shared[index];
-          if (pool == nullptr) pool = pool_of(index, name);
-          mounted->pool = pool;
-        } else if (scenarios::changed_off_line(tool)) {
-          mounted->pool = pool_of(index, entity);
-        } else {
-          mounted->own = body_of(tool, entity);
-          mounted->body = mounted->own.get();
-        }
-        if (std::holds_alternative<scenarios::Opportunistic>(tool.strategy)) machine->has_joiners = true;
-        machine->tools[name] = std::move(mounted);
-      }
-      MountedTool& tool = *machine->tools.at(name);
-      operation.element_mean_min.assign(tool.spec->elements.size(), std::numeric_limits<double>::infinity());
-      for (std::size_t k = 0; k < tool.spec->elements.size(); ++k)
-        for (const operations::ElementLife& element : operation.plan.more_elements)
-          if (tool.spec->elements[k].element == element.element)
-            operation.element_mean_min[k] = element.mean_min;
+  for (OperationUnit& operation : operations_) {
+    if (operation.spec->tool.empty()) continue;
+    const auto& services = scenarios::find_named(scenario_.tools, operation.spec->tool)->elements;
+    for (PlannedOperation& on : operation.on) {
+      on.element_mean_min.assign(services.size(), std::numeric_limits<double>::infinity());
+      for (std::size_t k = 0; k < services.size(); ++k)
+        for (const operations::ElementLife& element : on.plan.more_elements)
+          if (services[k].element == element.element) on.element_mean_min[k] = element.mean_min;
     }
-  // The law of an element is that of the first operation which wears it.
+  }
   for (const auto& machine : machines_)
-    for (const auto& [name, tool] : machine->tools)
-      for (const scenarios::ElementService& service : tool->spec->elements) {
-        const operations::ElementLife* life = nullptr;
-        for (const PlannedOperation& operation : operations_)
-          for (const operations::ElementLife& element : operation.plan.more_elements)
-            if (life == nullptr && operation.spec->tool == name && service.element == element.element)
-              life = &element;
-        tool->elements.emplace_back(service, *life, seed, machine->name + "/" + name, replication_);
-      }
+    for (const OperationUnit& operation : operations_) {
+      const std::string& name = operation.spec->tool;
+      const auto here = [&](const PlannedOperation& on) { return groups_[on.group].get() == machine->group; };
+      if (name.empty() || std::none_of(operation.on.begin(), operation.on.end(), here)) continue;
+      if (!machine->tools.contains(name)) mount(*machine, position_of(scenario_.tools, name));
+    }
   reset_tool_counts();
 }
 
@@ -182,18 +190,6 @@ void Shop::reset_tool_counts() {
     if (lots) lots->reset_counts();
   for (const auto& crib : cribs_)
     if (crib) crib->reset_counts();
-  for (const auto& crew : crews_) crew->off_line.reset(sim_.now());
-}
-
-void Shop::settle_tools() {
-  for (const auto& crib : cribs_)
-    if (crib) crib->settle();
-  for (const auto& crew : crews_) crew->off_line.settle(sim_.now());
-  for (const auto& machine : machines_)
-    for (const auto& [name, tool] : machine->tools) {
-      tool->stops.close();
-      tool->changes.close();
-    }
 }
 
 }  // namespace verstat::shop

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "sim/shop/shop_parts.h"
+#include "sim/shop/trace.h"
 
 namespace verstat::shop {
 
@@ -24,7 +25,7 @@ struct NextStop {
 // Cuts one part. Within one instant a failure comes before a planned change (X <= tau fails), and both before
 // the end of the cut; what falls due with the end of a part is done before the next one.
 sim::Task<void> Shop::cut(MachineUnit& machine, MountedTool& tool, const PlannedOperation& operation,
-                          double main_time_min, Job& job) {
+                          double main_time_min) {
   const bool wears = operation.plan.edge.has_value();
   const double mean_life_min = wears ? operation.plan.edge->mean_min : never;
   tool.mean_life_min = mean_life_min;
@@ -81,7 +82,7 @@ sim::Task<void> Shop::cut(MachineUnit& machine, MountedTool& tool, const Planned
       ++tools_[tool.index].teeth_failed;
       if (tool.body->failed_teeth() < scenarios::failed_teeth_to_change(*tool.spec)) continue;
       const double draw = tool.scrap_stream.uniform();
-      if (draw < tool.spec->failure_scrap_probability) job.spoiled = true;
+      if (draw < tool.spec->failure_scrap_probability) machine.part_spoiled = true;
       co_await change_edge(machine, tool, true, mean_life_min);
       continue;
     }
@@ -106,42 +107,43 @@ sim::Task<void> Shop::change_edge(MachineUnit& machine, MountedTool& tool, bool 
     co_await swap_tool(machine, tool, after_failure, mean_life_min);
   } else {
     tool.stops.add(sim_.now());
-    co_await change_on_machine(machine, tool, after_failure, mean_life_min, nullptr);
+    co_await change_on_machine(machine, tool, after_failure, mean_life_min, Stopped());
   }
 }
 
 sim::Task<void> Shop::change_on_machine(MachineUnit& machine, MountedTool& tool, bool after_failure,
-                                        double mean_life_min, const CrewUnit* present) {
+                                        double mean_life_min, Stopped stopped) {
   ToolBody& body = *tool.body;
   const std::int64_t used_up = body.decide_change(after_failure);
   if (used_up > 0 && tool.crib != nullptr) co_await wait_for_inserts(machine, tool, used_up);
-  CrewUnit& crew = after_failure ? *tool.failure_crew : *tool.crew;
-  sim::Hold hold;
-  if (present != &crew) {
-    sim::Hold called = co_await call_crew(machine, crew, &tool);
-    hold = std::move(called);
+  const auto& crews = after_failure ? tool.failure_crews : tool.crews;
+  CrewHold hold;
+  if (stopped.present == nullptr || *stopped.present != crews) {
+    const Cost heading = after_failure ? Cost::failure_change : Cost::planned_change;
+    hold = co_await call_crew(machine, crews, heading, 0, MachineState::waiting_crew, &tool);
   }
   count_change(tool, after_failure);
   const scenarios::ToolChange& change = tool.spec->change;
   const double before_min = change.positioning_min + (after_failure ? change.failure_extra_min : 0) +
-                            (present == nullptr ? change.stop_min : 0);
+                            (stopped.before ? 0 : change.stop_min);
   const double time_min = renew_teeth(tool, body, after_failure, false, mean_life_min, before_min);
   const MachineState state = after_failure ? MachineState::failure_change : MachineState::planned_change;
   co_await spend(machine, state, time_min, &tool);
-  if (present == nullptr && machine.has_joiners) {
+  if (!stopped.before && machine.has_joiners) {
     tool.clock.enter(MachineState::idle, sim_.now());
-    co_await join_stop(machine, &tool, &crew);
+    co_await join_stop(machine, &tool, &crews);
   }
 }
 
-sim::Task<void> Shop::join_stop(MachineUnit& machine, const MountedTool* stopped_for,
-                                const CrewUnit* present) {
+sim::Task<void> Shop::join_stop(MachineUnit& machine, const MountedTool* in_hand,
+                                const std::vector<std::size_t>* present) {
   for (const auto& [name, other] : machine.tools) {
-    if (other.get() == stopped_for || other->body == nullptr || other->pool != nullptr) continue;
+    if (other.get() == in_hand || other->body == nullptr || other->pool != nullptr) continue;
     if (!other->strategy->joins_stop(other->view(0))) continue;
     ++tools_[other->index].joined_changes;
     other->changes.add(sim_.now());
-    co_await change_on_machine(machine, *other, false, other->mean_life_min, present);
+    const Stopped stopped{true, present};
+    co_await change_on_machine(machine, *other, false, other->mean_life_min, stopped);
     other->clock.enter(MachineState::idle, sim_.now());
   }
 }
@@ -151,11 +153,11 @@ void Shop::count_change(const MountedTool& tool, bool after_failure) {
   const bool reground_each_time = !tool.spec->regrind.has_value();
   if (after_failure) {
     ++counts.failures;
-    counts.damage_cost += tool.spec->failure_damage;
-    if (reground_each_time) counts.regrind_cost += tool.spec->regrind_failure;
+    costs_.book(Cost::damage, tool.spec->failure_damage);
+    if (reground_each_time) costs_.book(Cost::regrinding, tool.spec->regrind_failure);
   } else {
     ++counts.planned_changes;
-    if (reground_each_time) counts.regrind_cost += tool.spec->regrind_planned;
+    if (reground_each_time) costs_.book(Cost::regrinding, tool.spec->regrind_planned);
   }
 }
 
@@ -168,6 +170,8 @@ double Shop::renew_teeth(MountedTool& tool, ToolBody& body, bool after_failure, 
     const double index_min = tool.index_time.sample(tool.index_stream);
     const double replace_min = tool.replace_time.sample(tool.replace_stream);
     FittedInsert& insert = tooth.insert;
+    if (trace_ != nullptr)
+      trace_->edge_removed(tool.index, tool.machine, sim_.now(), insert.wear() * mean_life_min, tooth.failed);
     ++counts.edges_used;
     counts.edge_minutes_used += insert.wear() * mean_life_min;
     if (!tooth.failed) {
@@ -176,8 +180,8 @@ double Shop::renew_teeth(MountedTool& tool, ToolBody& body, bool after_failure, 
     }
     const std::int64_t unused = insert.edges_held() - 1;
     if (tool.spec->insert_booking == scenarios::InsertBooking::life_periods)
-      counts.insert_cost +=
-          tool.insert_spec->price / (tooth.failed ? tool.spec->periods_failure : tool.spec->periods_planned);
+      costs_.book(Cost::inserts, tool.insert_spec->price / (tooth.failed ? tool.spec->periods_failure
+                                                                         : tool.spec->periods_planned));
     if (tooth.outlook.next == FittedInsert::Next::edge) {
       time_min += index_min;
       insert.turn_to_next_edge();
@@ -191,7 +195,7 @@ double Shop::renew_teeth(MountedTool& tool, ToolBody& body, bool after_failure, 
       counts.edges_fitted += insert.fit_new();
       ++counts.inserts_fitted;
       if (tool.spec->insert_booking == scenarios::InsertBooking::at_fitting)
-        counts.insert_cost += tool.insert_spec->price;
+        costs_.book(Cost::inserts, tool.insert_spec->price);
     }
   }
   body.change_made(after_failure);
@@ -201,8 +205,7 @@ double Shop::renew_teeth(MountedTool& tool, ToolBody& body, bool after_failure, 
 sim::Task<void> Shop::wait_for_inserts(MachineUnit& machine, MountedTool& tool, std::int64_t inserts) {
   if (tool.crib->would_wait(inserts)) {
     ++tools_[tool.index].waits;
-    machine.clock.enter(MachineState::waiting_tool, sim_.now());
-    tool.clock.enter(MachineState::waiting_tool, sim_.now());
+    enter(machine, MachineState::waiting_tool, &tool);
   }
   co_await tool.crib->issue(inserts);
 }
@@ -215,7 +218,8 @@ sim::Task<void> Shop::inspect_edge(MachineUnit& machine, MountedTool& tool, doub
   body.parts_since_inspection = 0;
   if (watch.inspection_min > 0) {
     tool.stops.add(sim_.now());
-    const sim::Hold hold = co_await call_crew(machine, *tool.crew, &tool);
+    const CrewHold hold =
+        co_await call_crew(machine, tool.crews, Cost::planned_change, 0, MachineState::waiting_crew, &tool);
     co_await spend(machine, MachineState::planned_change, watch.inspection_min, &tool);
   }
   ++counts.inspections;
@@ -228,10 +232,11 @@ sim::Task<void> Shop::inspect_edge(MachineUnit& machine, MountedTool& tool, doub
 
 sim::Task<void> Shop::change_element(MachineUnit& machine, MountedTool& tool, ElementUnit& element) {
   tool.stops.add(sim_.now());
-  const sim::Hold hold = co_await call_crew(machine, *tool.crew, &tool);
+  const CrewHold hold =
+      co_await call_crew(machine, tool.crews, Cost::planned_change, 0, MachineState::waiting_crew, &tool);
   ++element.changes;
   element.use_min_sum += element.use_min;
-  tools_[tool.index].element_cost += element.spec->price;
+  costs_.book(Cost::elements, element.spec->price);
   const double time_min = element.change_time.sample(element.change_stream);
   element.renew();
   co_await spend(machine, MachineState::planned_change, time_min, &tool);

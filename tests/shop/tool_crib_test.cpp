@@ -34,7 +34,8 @@ TEST_CASE("sister tools: the machine waits when all are in the tool room") {
   // n copies, the machine spends one in 60 min, the tool room takes 40: with hands for each M/G/n/n, with one
   // pair of hands M/M/1/n.
   const std::vector<std::string> base = {
-      "/tools/0/copies=3", R"(/tools/0/change/replace={"kind":"exponential","rate_per_min":0.025})"};
+      "/tools/0/copies=3", "/simulation/horizon_min=800000",
+      R"(/tools/0/change/replace={"kind":"exponential","rate_per_min":0.025})"};
   auto many = base;
   many.push_back("/crews/0/members=3");
   check_meets(run_cell(many), "machine/lathe/state/waiting_tool", erlang_b(3, 40 / cell_life_min));
