@@ -251,6 +251,8 @@ class Shop {
   void tool_kpis(double finished, const KpiSink& sink) const;
   void insert_kpis(double finished, const KpiSink& sink) const;
   void reset_tool_counts();
+  /// Adds laws of edges, inserts and copies that do not hold.
+  void audit_tools(std::vector<std::string>& broken) const;
   /// Edges in all copies of a tool.
   [[nodiscard]] std::int64_t edges_in_tools(std::size_t tool) const;
   void crew_kpis(const KpiSink& sink) const;

@@ -44,6 +44,7 @@ struct Shop::ToolPool {
   explicit ToolPool(sim::Simulation& sim) : ready(sim) {}
   std::vector<std::unique_ptr<ToolBody>> copies;
   std::size_t tool = 0;  // in the scenario's tools
+  std::size_t in_tool_room = 0;
   sim::Store<ToolBody*> ready;
 };
 

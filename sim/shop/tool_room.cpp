@@ -35,6 +35,7 @@ sim::Task<void> Shop::swap_tool(MachineUnit& machine, MountedTool& tool, bool af
   tool.body = nullptr;
   tool.last = nullptr;
   count_change(tool, after_failure);
+  ++tool.pool->in_tool_room;
   sim_.spawn("tool room", tool_room(tool, worn, after_failure, mean_life_min));
   const scenarios::ToolChange& change = tool.spec->change;
   double time_min = change.stop_min + (after_failure ? change.failure_extra_min : 0);
@@ -64,6 +65,7 @@ sim::Task<void> Shop::tool_room(MountedTool& tool, ToolBody& body, bool after_fa
                                                   : tool.spec->change.positioning_min;
   const double time_min = renew_teeth(tool, body, after_failure, reground, mean_life_min, setting_min);
   co_await sim_.delay(time_min);
+  --tool.pool->in_tool_room;
   tool.pool->ready.try_put(&body);
 }
 

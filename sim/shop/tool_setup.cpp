@@ -1,5 +1,6 @@
 // Tools of a shop built from the scenario: copies, crib, lots, elements.
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include <fmt/format.h>
@@ -172,6 +173,47 @@ std::int64_t Shop::edges_in_tools(std::size_t tool) const {
     if (pool->tool == tool)
       for (const auto& copy : pool->copies) edges += copy->edges_held();
   return edges;
+}
+
+void Shop::audit_tools(std::vector<std::string>& broken) const {
+  for (std::size_t t = 0; t < tools_.size(); ++t) {
+    const ToolCounts& c = tools_[t];
+    const auto used = static_cast<std::int64_t>(c.edges_used);
+    const std::int64_t now = edges_in_tools(t);
+    if (c.edges_at_start + c.edges_fitted + c.edges_reground != used + c.edges_discarded + now)
+      broken.push_back(
+          fmt::format("tool \"{}\": edges {} at the start + {} fitted + {} reground, {} used + {} "
+                      "discarded + {} there",
+                      scenario_.tools[t].name, c.edges_at_start, c.edges_fitted, c.edges_reground, used,
+                      c.edges_discarded, now));
+  }
+  for (std::size_t i = 0; i < cribs_.size(); ++i) {
+    if (!cribs_[i]) continue;
+    const InsertCrib::Counts& c = cribs_[i]->counts();
+    if (c.stock_at_start + c.delivered != c.issued + cribs_[i]->stock())
+      broken.push_back(fmt::format("insert \"{}\": {} at the start + {} delivered, {} issued + {} there",
+                                   inserts_[i].name, c.stock_at_start, c.delivered, c.issued,
+                                   cribs_[i]->stock()));
+  }
+  for (const auto& pool : pools_) {
+    std::size_t mounted = 0;
+    for (const auto& machine : machines_)
+      for (const auto& [name, tool] : machine->tools)
+        if (tool->pool == pool.get() && tool->body != nullptr) ++mounted;
+    if (pool->ready.size() + mounted + pool->in_tool_room != pool->copies.size())
+      broken.push_back(fmt::format("tool \"{}\": {} copies, {} ready + {} in machines + {} in the tool room",
+                                   scenario_.tools[pool->tool].name, pool->copies.size(), pool->ready.size(),
+                                   mounted, pool->in_tool_room));
+  }
+  for (const auto& machine : machines_)
+    for (const auto& [name, tool] : machine->tools) {
+      double sum_min = 0;
+      for (std::size_t s = 0; s < machine_states; ++s)
+        sum_min += tool->clock.time_min(static_cast<MachineState>(s));
+      if (std::abs(sum_min - window_min()) > 1e-9 * scenario_.simulation.horizon_min)
+        broken.push_back(fmt::format("tool \"{}\" on \"{}\": states add up to {} of {} min", name,
+                                     machine->name, sum_min, window_min()));
+    }
 }
 
 void Shop::reset_tool_counts() {

@@ -64,8 +64,8 @@ TEST_CASE("teeth, elements, inspections and copies that do not fit are refused")
             .starts_with("/tools/1/strategy = \"opportunistic\", is for edges changed on the machine"));
   CHECK(error_of("tools-drills", "/tools/0/strategy/every_min=5") ==
         "/tools/0/strategy = both every_min and every_parts, must have exactly one of them");
-  CHECK(error_of("tools-drills", "/tools/0/presetting/crew=toolroom") ==
-        "/tools/0/presetting/crew = \"toolroom\", there is no such crew or skill; closest: \"tool room\"");
+  CHECK(error_of("tools-drills", "/tools/0/presetting/crew=toolrum") ==
+        "/tools/0/presetting/crew = \"toolrum\", there is no such crew or skill; closest: \"tool room\"");
   CHECK(error_of("tools-unattended", "/inserts/0/crib/order_quantity=0") ==
         "/inserts/0/crib/order_quantity = 0, allowed 1 <= order_quantity <= 1e+09 (inserts of one order)");
   CHECK(error_of("tools-certified-inserts", "/inserts/0/edges=1") ==

@@ -1,5 +1,6 @@
 // Sister tools, shared tools, tool room, regrinding and the crib against queueing theory.
 #include "models/reliability/k117_rational_reliability.h"
+#include "sim/shop/shop.h"
 #include "tests/property.h"
 #include "tests/shop/tool_cell.h"
 
@@ -170,6 +171,20 @@ TEST_CASE("a grinding wheel without inserts is dressed when its time has come") 
               100 * plan.main_time_min / plan.more_elements[0].mean_min);
 }
 
+TEST_CASE("the tool galleries conserve edges, copies and time, on any number of threads") {
+  for (const char* name :
+       {"tools-face-mill", "tools-unattended", "tools-drills", "tools-elements", "tools-certified-inserts"}) {
+    INFO(name);
+    const auto text =
+        scenarios::read_json_file(std::string(VERSTAT_SOURCE_DIR "/scenarios/gallery/") + name + ".json");
+    const auto scenario = load_with(text, {"/simulation/horizon_min=30000", "/simulation/replications=3"});
+    shop::Shop shop(scenario, 0);
+    (void)shop.run();
+    CHECK(shop.audit() == std::vector<std::string>());
+    CHECK(shop::run_scenario(scenario, 1).values == shop::run_scenario(scenario, 3).values);
+  }
+}
+
 namespace {
 
 // One random tool room, run once.
@@ -222,7 +237,12 @@ void conserve_all() {
   tool["change"]["swap"]["value_min"] = *rc::gen::inRange(0, 3);
   cell["crews"][0]["rate_per_min"] = 0.5;
 
-  const auto run = shop::run_scenario(scenarios::load(cell), 1);
+  const auto scenario = scenarios::load(cell);
+  shop::Shop audited(scenario, 0);
+  (void)audited.run();
+  const auto broken = audited.audit();
+  if (!broken.empty()) RC_FAIL(broken.front());
+  const auto run = shop::run_scenario(scenario, 1);
   const auto value = [&](const std::string& kpi) {
     const auto k = run.index_of(kpi);
     RC_ASSERT(k.has_value());

@@ -195,6 +195,25 @@ TEST_CASE("edges changed in one stop share its time") {
   CHECK(mean_of(joined, "tool/second/joined_changes") > 0.4 * mean_of(joined, "tool/second/planned_changes"));
 }
 
+TEST_CASE("a stop of the machine for another reason is used too") {
+  // The machine stops after every third part; an edge in its window, here the whole period, is changed then.
+  auto cell = tool_cell();
+  cell["inserts"][0]["edge_life"]["law"] = "weibull";
+  cell["inserts"][0]["edge_life"]["cv"] = 0.5;
+  cell["tools"][0]["strategy"] = {{"kind", "opportunistic"}, {"gamma", 0.2}, {"window", 1}};
+  cell["machines"][0]["maintenance"] = {{{"name", "chips"},
+                                         {"clock", "parts"},
+                                         {"interval", 3},
+                                         {"duration", {{"kind", "constant"}, {"value_min", 2}}}}};
+  const auto run = run_with(cell, {});
+  // Every third part a renewal, early failures in between: H(30 min) by the renewal function.
+  const models::LifeLaw law(models::LifeLawKind::weibull, cell_life_min, 0.5);
+  const double cycles = counted_min(cell) / (3 * cell_part_min + 2);
+  check_meets(run, "tool/tool/failures", cycles * law.renewal_function(3 * cell_part_min));
+  CHECK(mean_of(run, "tool/tool/joined_changes") == Approx(cycles).epsilon(0.001));
+  CHECK(mean_of(run, "tool/tool/joined_changes") == mean_of(run, "tool/tool/planned_changes"));
+}
+
 TEST_CASE("inserts treated by magnetic pulses are the treated inserts, bit for bit") {
   const auto plain = scenarios::read_json_file(VERSTAT_SOURCE_DIR "/scenarios/gallery/heavy-lathe.json");
   const auto prepared = load_with(
