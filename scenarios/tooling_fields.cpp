@@ -182,7 +182,7 @@ std::vector<Field> StructFields<Tool>::fields() {
                 "holder, shim and rework per failure"),
       may<Tool>(&Tool::failure_scrap_probability, "failure_scrap_probability", "1", probability(),
                 "chance that a failure scraps the part in the machine"),
-      may<Tool>(&Tool::teeth, "teeth", "1", closed(1, 1000), "teeth, each with an insert"),
+      may<Tool>(&Tool::teeth, "teeth", "1", closed(1, 200), "teeth, each with an insert"),
       may<Tool>(&Tool::failure_crew, "failure_crew", "-", no_range(),
                 "name of the crew that comes after a failure; empty: the same"),
       may<Tool>(&Tool::copies, "copies", "1", closed(1, 1000),

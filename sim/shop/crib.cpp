@@ -31,10 +31,12 @@ sim::Task<void> InsertCrib::issue(std::int64_t inserts) {
   ++counts_.requests;
   if (would_wait(inserts)) ++counts_.stock_outs;
   position_ -= inserts;
-  while (position_ <= spec_->reorder_point) {
-    position_ += spec_->order_quantity;
+  if (position_ <= spec_->reorder_point) {
+    const std::int64_t quantity = spec_->order_quantity;
+    const std::int64_t ordered = ((spec_->reorder_point - position_) / quantity + 1) * quantity;
+    position_ += ordered;
     const double lead_min = lead_time_.sample(lead_stream_);
-    sim_->spawn("delivery", deliver(spec_->order_quantity, lead_min));
+    sim_->spawn("delivery", deliver(ordered, lead_min));
   }
   co_await shelf_.get(static_cast<double>(inserts));
   counts_.issued += inserts;

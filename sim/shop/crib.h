@@ -14,7 +14,8 @@
 namespace verstat::shop {
 
 /// Stock of one insert under continuous review: when shelf + orders under way - inserts owed falls to the
-/// reorder point, orders of `order_quantity` are placed until it is above. Requests are served in turn.
+/// reorder point, the least multiple of `order_quantity` that lifts it above is ordered. Requests are served
+/// in turn.
 class InsertCrib {
  public:
   InsertCrib(sim::Simulation& sim, const scenarios::InsertStock& spec, const std::string& insert,

@@ -1,6 +1,7 @@
 #pragma once
 // How often nothing happens for a while: stops counted by intervals of equal length.
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -17,14 +18,17 @@ class IntervalCount {
   void restart(double start_min, double end_min, double interval_min) {
     start_min_ = start_min;
     interval_min_ = interval_min;
-    intervals_ = static_cast<std::int64_t>((end_min - start_min) / interval_min * (1 + 1e-12));
+    // Rounding must not cost the last interval; more of them than this are as good as infinitely many.
+    intervals_ =
+        static_cast<std::int64_t>(std::min(9e15, (end_min - start_min) / interval_min * (1 + 1e-12)));
     current_ = -1;
     events_ = 0;
     with_events_.clear();
   }
   void add(double now_min) {
-    const auto interval = static_cast<std::int64_t>((now_min - start_min_) / interval_min_);
-    if (interval >= intervals_) return;
+    const double at = (now_min - start_min_) / interval_min_;
+    if (!(at < static_cast<double>(intervals_))) return;
+    const auto interval = static_cast<std::int64_t>(at);
     if (interval != current_) close();
     current_ = interval;
     ++events_;

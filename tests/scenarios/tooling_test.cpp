@@ -66,8 +66,9 @@ TEST_CASE("teeth, elements, inspections and copies that do not fit are refused")
         "/tools/0/strategy = both every_min and every_parts, must have exactly one of them");
   CHECK(error_of("tools-drills", "/tools/0/presetting/crew=toolrum") ==
         "/tools/0/presetting/crew = \"toolrum\", there is no such crew or skill; closest: \"tool room\"");
-  CHECK(error_of("tools-unattended", "/inserts/0/crib/order_quantity=0") ==
-        "/inserts/0/crib/order_quantity = 0, allowed 1 <= order_quantity <= 1e+09 (inserts of one order)");
+  CHECK(
+      error_of("tools-unattended", "/inserts/0/crib/order_quantity=0") ==
+      "/inserts/0/crib/order_quantity = 0, allowed 1 <= order_quantity <= 1000000000 (inserts of one order)");
   CHECK(error_of("tools-certified-inserts", "/inserts/0/edges=1") ==
         "/inserts/0/preparation/edges_used_by_test = 0 edges left, must leave at least one of the 1 edges of "
         "the insert");
