@@ -88,7 +88,7 @@ void Shop::tool_kpis(double finished, const KpiSink& sink) const {
         ratio(static_cast<double>(quiet), static_cast<double>(intervals)));
     put("sisters_needed", "1",
         "changes of the tool that the wanted share of unattended intervals stays within: so many sister "
-        "tools",
+        "tools when none comes back in the interval",
         events_for(changes, spec.unattended_target));
     count("edges/at_start", "usable edges in the tools at the start of the counted time",
           counts.edges_at_start);
@@ -108,7 +108,7 @@ void Shop::tool_kpis(double finished, const KpiSink& sink) const {
           ratio(in(state), places * window_min()));
     }
     put("state/other", "1", "share of the time in other stops of the machine and outside its calendar",
-        ratio(std::max(0.0, other_min), places * window_min()));
+        ratio(other_min > 1e-9 * window_min() ? other_min : 0, places * window_min()));  // no rounding crumbs
     if (std::holds_alternative<scenarios::ConditionBased>(spec.strategy)) {
       count("inspections", "inspections of edges", counts.inspections);
       count("worn_found", "inspections that found a worn edge", counts.worn_found);
