@@ -123,6 +123,7 @@ struct Machine {
   double rate_per_min = 0;
   operations::MachineLimits limits;
   std::optional<operations::Spindle> spindle;
+  std::optional<std::int64_t> magazine;  ///< tool places; none: no bound
   std::vector<std::string> capabilities;
   Dispatch dispatch = Dispatch::fifo;
   std::optional<std::int64_t> queue_capacity;  ///< batches waiting before the group; none: no bound

@@ -140,6 +140,7 @@ std::vector<Field> StructFields<Machine>::fields() {
              "cost of a machine minute inside its calendar"),
       may<M>(&M::limits, "limits", "-", no_range(), "what the machine can do"),
       may<M>(&M::spindle, "spindle", "-", no_range(), "dynamics of its spindle; null: not known"),
+      may<M>(&M::magazine, "magazine", "1", closed(1, 10'000), "tool places; none: as many as are wanted"),
       entries(may<M>(&M::capabilities, "capabilities", "-", no_range(), "names that operations may ask for"),
               0, 1000),
       may<M>(&M::dispatch, "dispatch", "-", no_range(), "which waiting batch is taken next"),

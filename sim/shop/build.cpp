@@ -59,6 +59,7 @@ Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication, Trace
       parts_(scenario.parts.size()) {
   build_operations();
   build_machines();
+  build_tools();
   build_flow();
   start();
 }
@@ -73,7 +74,7 @@ void Shop::build_operations() {
     unit.family = intern(families_, operation.family.empty() ? operation.name : operation.family);
     for (const std::size_t g : scenarios::groups_of(scenario_, operation)) {
       PlannedOperation planned{
-          &operation, g, scenarios::plan(scenario_, operation, scenario_.machines[g]), {}};
+          &operation, g, scenarios::plan(scenario_, operation, scenario_.machines[g]), {}, {}};
       if (planned.plan.time_law) planned.time_law = law_of(*planned.plan.time_law);
       unit.on.push_back(std::move(planned));
     }
@@ -138,19 +139,6 @@ void Shop::build_machines() {
       }
     }
   }
-  for (const auto& machine : machines_)
-    for (const OperationUnit& operation : operations_) {
-      const std::string& name = operation.spec->tool;
-      const auto here = [&](const PlannedOperation& on) { return groups_[on.group].get() == machine->group; };
-      if (name.empty() || std::none_of(operation.on.begin(), operation.on.end(), here)) continue;
-      if (machine->tools.contains(name)) continue;
-      const std::size_t index = index_of(scenario_.tools, name);
-      const scenarios::Tool& tool = scenario_.tools[index];
-      machine->tools[name] = std::make_unique<MountedTool>(
-          scenario_, tool, index, labour_->crews_for(tool.crew),
-          machine->group->working_time ? &*machine->group->working_time : nullptr,
-          machine->name + "/" + tool.name, replication_);
-    }
 }
 
 void Shop::build_flow() {

@@ -1,6 +1,7 @@
 // All KPIs of a shop, names beside formulas.
 #include "sim/shop/kpis.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -28,7 +29,8 @@ constexpr std::string_view meaning_of(MachineState state) {
       "share of the time blocked by a full place downstream",
       "share of the time without a part to work on",
       "share of the time switched off for lack of work",
-      "share of the time outside the calendar"};
+      "share of the time outside the calendar",
+      "share of the time in which a sister tool comes out of the magazine"};
   return texts[static_cast<std::size_t>(state)];
 }
 
@@ -49,6 +51,10 @@ bool has_tool(const scenarios::Scenario& scenario, const scenarios::Machine& mac
       if (&scenario.machines[g] == &machine) return true;
   }
   return false;
+}
+
+bool off_line_tools(const scenarios::Scenario& scenario) {
+  return std::any_of(scenario.tools.begin(), scenario.tools.end(), scenarios::changed_off_line);
 }
 
 // Any place in the shop that can be full?
@@ -77,6 +83,8 @@ bool can_occur(const scenarios::Scenario& scenario, const scenarios::Machine& ma
       return tool || machine.attendance || (machine.setup && !machine.setup->crew.empty());
     case MachineState::waiting_tool:
       return tool;
+    case MachineState::tool_swap:
+      return tool && off_line_tools(scenario);
     case MachineState::loading:
       return machine.loading || machine.unloading;
     case MachineState::setup:
@@ -113,6 +121,11 @@ bool can_occur(const scenarios::Scenario& scenario, Cost cost) {
       return any_machine([&](const scenarios::Machine& m) { return can_occur(scenario, m, state); });
   }
   switch (cost) {
+    case Cost::tool_room:
+      return off_line_tools(scenario);
+    case Cost::elements:
+      return std::any_of(scenario.tools.begin(), scenario.tools.end(),
+                         [](const scenarios::Tool& tool) { return !tool.elements.empty(); });
     case Cost::off:
       return any_machine([](const scenarios::Machine& m) { return m.switch_off.has_value(); });
     case Cost::transport:
@@ -172,7 +185,11 @@ void Shop::settle() {
   labour_->settle(sim_.now());
   for (const auto& machine : machines_) {
     machine->clock.settle(sim_.now());
-    for (const auto& [name, tool] : machine->tools) tool->clock.settle(sim_.now());
+    for (const auto& [name, tool] : machine->tools) {
+      tool->clock.settle(sim_.now());
+      tool->stops.close();
+      tool->changes.close();
+    }
   }
 }
 
@@ -181,7 +198,7 @@ void Shop::reset_counts() {
   const double now = sim_.now();
   labour_->reset_counts(now);
   costs_.reset();
-  for (ToolCounts& tool : tools_) tool = ToolCounts();
+  reset_tool_counts();
   for (PartCounts& part : parts_) part = PartCounts();
   for (const auto& machine : machines_) {
     machine->clock.reset(now);
@@ -217,6 +234,8 @@ void Shop::reset_counts() {
 
 // What is known only at the end: machine minutes by state, presence of crews, energy.
 void Shop::book_totals() {
+  for (const auto& lots : lots_)
+    if (lots) costs_.book(Cost::inserts, lots->counts().cost);
   for (const auto& machine : machines_) {
     const scenarios::Machine& spec = *machine->group->spec;
     for (std::size_t s = 0; s < machine_states; ++s) {
@@ -471,6 +490,7 @@ void Shop::each_kpi(const KpiSink& sink) const {
   double finished = 0;
   for (const PartCounts& part : parts_) finished += static_cast<double>(part.good + part.scrapped);
   tool_kpis(finished, sink);
+  insert_kpis(finished, sink);
   crew_kpis(sink);
   part_kpis(sink);
   store_and_transport_kpis(sink);

@@ -116,8 +116,10 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
   job.enter(Phase::machine, sim_.now());
   if (trace_ != nullptr) trace_->part_step(job.part, job.step, machine.index, sim_.now());
   CrewHold attending;
-  if (attendance && attendance->during == Attendance::always)
+  if (attendance && attendance->during == Attendance::always) {
     attending = co_await call_crew(machine, group.attendance_crews, Cost::labour);
+    machine.attendant = attending.crew();
+  }
   const std::size_t family = operations_[routes_[job.part][job.step].operation].family;
   if (group.spec->setup && machine.family != family) co_await set_up(machine, family);
 
@@ -142,6 +144,7 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
     else if (leaves_defect(machine, operation))
       ++job.defects;
   }
+  machine.attendant.reset();
   attending.release();
 
   if (rejected > 0) reject(machine, job, rejected);
@@ -188,15 +191,17 @@ sim::Task<void> Shop::load(MachineUnit& machine, bool unloading) {
 sim::Task<void> Shop::work_on_part(MachineUnit& machine, const PlannedOperation& operation) {
   const double main_time_min =
       operation.time_law ? operation.time_law->sample(machine.duration_stream) : operation.plan.main_time_min;
-  if (operation.plan.edge && !operation.spec->tool.empty()) {
+  const bool wears = operation.plan.edge.has_value() && !operation.spec->tool.empty();
+  if (wears || !operation.element_mean_min.empty()) {
     MountedTool& tool = *machine.tools.at(operation.spec->tool);
-    co_await cut(machine, tool, main_time_min, operation.plan.edge->mean_min);
-    if (breaks(machine, operation)) {
+    co_await cut(machine, tool, operation, main_time_min);
+    if (wears && breaks(machine, operation)) {
       if (tool.scrap_stream.uniform() < tool.spec->failure_scrap_probability) machine.part_spoiled = true;
       co_await change_edge(machine, tool, true, operation.plan.edge->mean_min);
       tool.clock.enter(MachineState::idle, sim_.now());
     }
-    machine.part_wear = tool.insert.wear();
+    machine.part_wear = tool.body->largest_wear();
+    put_back(tool);
   } else {
     co_await spend(machine, MachineState::working, main_time_min);
   }
@@ -244,6 +249,9 @@ sim::Task<CrewHold> Shop::call_crew(MachineUnit& machine, const std::vector<std:
                                     std::int64_t priority, MachineState waiting, MountedTool* tool) {
   CrewHold hold;
   if (crews.empty()) co_return hold;
+  // Whoever stays with the machine does what is to be done, when it is their trade.
+  if (machine.attendant && std::find(crews.begin(), crews.end(), *machine.attendant) != crews.end())
+    co_return hold;
   enter(machine, waiting, tool);
   const bool tends = heading == Cost::labour;
   hold = co_await labour_->call(crews, priority, heading, tends ? Labour::Hands::one : Labour::Hands::all);
