@@ -99,16 +99,14 @@ sim::Task<void> Shop::cut(MachineUnit& machine, MountedTool& tool, const Planned
   tool.clock.enter(MachineState::idle, sim_.now());
 }
 
+// No coroutine of its own: it hands on the one that does the work.
 sim::Task<void> Shop::change_edge(MachineUnit& machine, MountedTool& tool, bool after_failure,
                                   double mean_life_min) {
   if (after_failure && tool.body->failed_teeth() == 0) tool.body->break_off();
   tool.changes.add(sim_.now());
-  if (tool.pool != nullptr) {
-    co_await swap_tool(machine, tool, after_failure, mean_life_min);
-  } else {
-    tool.stops.add(sim_.now());
-    co_await change_on_machine(machine, tool, after_failure, mean_life_min, Stopped());
-  }
+  if (tool.pool != nullptr) return swap_tool(machine, tool, after_failure, mean_life_min);
+  tool.stops.add(sim_.now());
+  return change_on_machine(machine, tool, after_failure, mean_life_min, Stopped());
 }
 
 sim::Task<void> Shop::change_on_machine(MachineUnit& machine, MountedTool& tool, bool after_failure,
