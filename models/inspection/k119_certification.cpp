@@ -80,7 +80,7 @@ double accepted_survival(double y, double rho, double reject) {
 class LifeBySelection {
  public:
   LifeBySelection(double shape, double scale_min, double rho)
-      : panels_(static_cast<int>(std::ceil(2 * last / std::min(0.17, 0.85 * spread_of(rho))))),
+      : panels_(static_cast<int>(std::ceil(2 * last / std::min(0.25, 0.85 * spread_of(rho))))),
         step_(2 * last / panels_),
         life_min_(static_cast<std::size_t>(panels_) + 1),
         weight_(static_cast<std::size_t>(panels_) + 1) {
