@@ -135,7 +135,9 @@ double mean_life_min(double shape, double scale_min) {
 class Inspection {
  public:
   explicit Inspection(const InspectionPlan& in)
-      : in_(in), life_(in.shape, in.scale_min, in.rho_life), mean_min_(mean_life_min(in.shape, in.scale_min)) {
+      : in_(in),
+        life_(in.shape, in.scale_min, in.rho_life),
+        mean_min_(mean_life_min(in.shape, in.scale_min)) {
     require(in.edges_used_by_test < in.edges_per_insert, "edges_used_by_test", in.edges_used_by_test,
             "must be below edges_per_insert");
     require(in.salvage_value <= in.insert_cost, "salvage_value", in.salvage_value,
