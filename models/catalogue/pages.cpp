@@ -84,8 +84,8 @@ std::string page_name(const Source& source) {
 std::string source_page(const Source& source, const SourceUse& use) {
   const SourceInfo& info = source.info();
   std::string out = generated;
-  out += fmt::format("# {} {}\n\n{}. {}.\n\n{}\n\n", info.id, info.title, info.authors, info.published,
-                     info.models);
+  out += fmt::format("# {} {}\n\n{}{} {}.\n\n{}\n\n", info.id, info.title, info.authors,
+                     info.authors.ends_with('.') ? "" : ".", info.published, info.models);
   std::map<std::string_view, std::size_t> by_provenance;
   for (const Function& f : source.functions()) ++by_provenance[to_string(f.provenance)];
   out += fmt::format("Role: {}. {}", info.role, plural(source.functions().size(), "function"));

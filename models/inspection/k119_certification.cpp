@@ -80,7 +80,7 @@ double accepted_survival(double y, double rho, double reject) {
 class LifeBySelection {
  public:
   LifeBySelection(double shape, double scale_min, double rho)
-      : panels_(static_cast<int>(std::ceil(2 * last / std::min(0.17, 0.85 * spread_of(rho))))),
+      : panels_(static_cast<int>(std::ceil(2 * last / std::min(0.25, 0.85 * spread_of(rho))))),
         step_(2 * last / panels_),
         life_min_(static_cast<std::size_t>(panels_) + 1),
         weight_(static_cast<std::size_t>(panels_) + 1) {
@@ -135,7 +135,9 @@ double mean_life_min(double shape, double scale_min) {
 class Inspection {
  public:
   explicit Inspection(const InspectionPlan& in)
-      : in_(in), life_(in.shape, in.scale_min, in.rho_life), mean_min_(mean_life_min(in.shape, in.scale_min)) {
+      : in_(in),
+        life_(in.shape, in.scale_min, in.rho_life),
+        mean_min_(mean_life_min(in.shape, in.scale_min)) {
     require(in.edges_used_by_test < in.edges_per_insert, "edges_used_by_test", in.edges_used_by_test,
             "must be below edges_per_insert");
     require(in.salvage_value <= in.insert_cost, "salvage_value", in.salvage_value,

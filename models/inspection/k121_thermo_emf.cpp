@@ -60,11 +60,11 @@ Groups sort_groups(const Sorting& in) {
   return out;
 }
 
-// Panels of at most two standard deviations: 24 points hold a bell times a smooth life to rounding.
+// Panels of at most three standard deviations: 24 points hold a bell times a smooth life to rounding.
 template <class F>
 double by_panels(F&& f, double low, double high, double sd) {
   if (!(high > low)) return 0;
-  const int panels = static_cast<int>(std::ceil((high - low) / (2 * sd)));
+  const int panels = static_cast<int>(std::ceil((high - low) / (3 * sd)));
   const double width = (high - low) / panels;
   double sum = 0;
   for (int k = 0; k < panels; ++k)

@@ -32,23 +32,36 @@ double self_interaction(double b, double l) {
 }
 
 // J(psi): uniform unit source on source_length x b, mean over observer_length x b, planes at the angle psi.
+// The planes meet at the edge, where the distance vanishes in proportion to the distances from it: x^2 tames
+// the logarithm there.
 double interaction(double psi, double b, double source_length, double observer_length) {
-  // The planes meet at the edge alone, where x^2 tames the logarithm: fewer points than on a rectangle
-  // itself.
-  static const std::vector<GaussPoint> rule = gauss_legendre(16);
   const double twice_cos = 2 * std::cos(psi);
-  const bool alike = source_length == observer_length;  // the kernel is symmetric: half of the pairs
   double sum = 0;
-  for (std::size_t i = 0; i < rule.size(); ++i) {
-    const GaussPoint& p = rule[i];
+  if (source_length == observer_length) {
+    // Of the square only the triangle s <= r counts, twice: r = l x^2, s = v r, so that the distance is r
+    // times a smooth function of v and few points do. To 3e-7 of the result for every wedge of 60 to 180 deg.
+    static const std::vector<GaussPoint> along = gauss_legendre(12);
+    static const std::vector<GaussPoint> across = gauss_legendre(8);
+    const double l = source_length;
+    for (const GaussPoint& q : across) {
+      const double slope = std::sqrt(1 + q.x * q.x - q.x * twice_cos);
+      double inner = 0;
+      for (const GaussPoint& p : along) {
+        const double r = l * p.x * p.x;
+        inner += p.weight * 2 * l * p.x * r * line_interaction(b, r * slope);
+      }
+      sum += q.weight * inner;
+    }
+    return sum / (std::numbers::pi * b * l);
+  }
+  static const std::vector<GaussPoint> rule = gauss_legendre(18);
+  for (const GaussPoint& p : rule) {
     const double r = source_length * p.x * p.x;
     double inner = 0;
-    for (std::size_t j = alike ? i : 0; j < rule.size(); ++j) {
-      const GaussPoint& q = rule[j];
+    for (const GaussPoint& q : rule) {
       const double s = observer_length * q.x * q.x;
       const double d = std::sqrt(std::max(0.0, r * r + s * s - r * s * twice_cos));
-      const double pair = alike && j != i ? 2 : 1;
-      inner += pair * q.weight * 2 * observer_length * q.x * line_interaction(b, d);
+      inner += q.weight * 2 * observer_length * q.x * line_interaction(b, d);
     }
     sum += p.weight * 2 * source_length * p.x * inner;
   }

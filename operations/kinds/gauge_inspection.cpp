@@ -78,7 +78,7 @@ class Gauges {
   }
   /// Mean over the wear from `low` to `high`; smooth there, so few points do.
   [[nodiscard]] double mean_pass(double low, double high) const {
-    static const std::vector<models::GaussPoint> rule = models::gauss_legendre(5);
+    static const std::vector<models::GaussPoint> rule = models::gauss_legendre(3);
     return models::integrate_gauss([this](double w) { return pass(w); }, low, high, rule) / (high - low);
   }
   [[nodiscard]] static double fresh(const k307::GaugeSizes& sizes) {

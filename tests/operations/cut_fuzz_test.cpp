@@ -27,7 +27,8 @@ TEST_CASE("changed examples give finite plans or errors") {
   for (const std::string name :
        {"turning", "hard_turning", "stone_turning", "roll_machining", "thermo_friction", "thread_rolling",
         "auger_winding", "gear_rolling", "tool_steel_finishing", "drill_finishing", "magnetic_abrasive",
-        "pulse_current", "blade_finishing", "coating", "reaming", "gauge_inspection", "inspection"}) {
+        "pulse_current", "blade_finishing", "coating", "reaming", "gauge_inspection", "inspection",
+        "cutting_off", "gear_generating"}) {
     const test::Gallery example(name);
     const auto leaves = example.json.at("process").flatten();
     test::property(name, [&] {

@@ -2,6 +2,8 @@
 #include <cmath>
 
 #include "operations/kinds/auger_winding.h"
+#include "operations/kinds/cutting_off.h"
+#include "operations/kinds/gear_generating.h"
 #include "operations/kinds/reaming.h"
 #include "operations/kinds/thread_rolling.h"
 #include "operations/spindle.h"
@@ -99,4 +101,49 @@ TEST_CASE("reaming: the holder of the machine decides the speed that a long tool
   auto ragged = example.spec;
   ragged.segment_outer_mm.pop_back();
   CHECK_FALSE(refusal(ragged).empty());
+}
+
+TEST_CASE("cutting off: below the least feed the side grains rub", "[K104]") {
+  GalleryExample<CuttingOff> example;
+  const auto p = example.plan();
+  CHECK(p.feasible());
+  CHECK(p.main_time_min == Approx(75.5 / 10 / 60));
+  CHECK(value_of(p, "side_grain_regime") == 2);
+  // At the least feed the grains reach just the depth that is wanted.
+  auto least = example.spec;
+  least.radial_feed_mm_s = value_of(p, "radial_feed_min_mm_s");
+  CHECK(value_of(example.Gallery::plan(least), "relative_depth") == Approx(0.08));
+  auto slow = example.spec;
+  slow.radial_feed_mm_s = 2;
+  const auto rubbing = example.Gallery::plan(slow);
+  CHECK_FALSE(limit_of(rubbing, "radial_feed_mm_s").met());
+  CHECK(value_of(rubbing, "side_grain_regime") < 2);
+  // A thinner wheel saves bar: kerf and side layer.
+  auto thin = example.spec;
+  thin.wheel_thickness_mm = 3;
+  CHECK(p.consumables.at(0).value - example.Gallery::plan(thin).consumables.at(0).value == Approx(1));
+  auto thick = example.spec;
+  thick.workpiece_diameter_mm = 150;
+  CHECK_THAT(refusal(thick), Contains("workpiece_diameter_mm"));
+}
+
+TEST_CASE("gear generating: the crossing of the axes makes the cutting speed", "[K202][K405]") {
+  GalleryExample<GearGenerating> example;
+  const auto p = example.plan();
+  CHECK(p.feasible());
+  constexpr double pi = 3.14159265358979;
+  CHECK(value_of(p, "cutting_speed_m_min") == Approx(pi * 60 * 500 / 1000 * std::tan(25 * pi / 180)));
+  CHECK(p.main_time_min ==
+        Approx(3 * (25 + 8) / std::cos(25 * pi / 180) / (0.3 * value_of(p, "gear_speed_rpm"))));
+  auto wide = example.spec;
+  wide.shaft_angle_deg = 40;
+  CHECK_FALSE(example.Gallery::plan(wide).feasible());  // above 60 m/min
+  auto narrow = example.spec;
+  narrow.shaft_angle_deg = 10;
+  CHECK_FALSE(example.Gallery::plan(narrow).feasible());  // too slow to cut
+  // Hertz: the pressure goes with the root of the load.
+  auto loaded = example.spec;
+  loaded.contact->load_n_mm *= 4;
+  CHECK(value_of(example.Gallery::plan(loaded), "contact_pressure_mpa") ==
+        Approx(2 * value_of(p, "contact_pressure_mpa")));
 }
