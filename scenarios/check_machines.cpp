@@ -38,6 +38,9 @@ void check_calendar(const Calendar& calendar, const std::string& at) {
 }
 
 void check_crew(const Scenario& s, const Crew& crew, const std::string& at) {
+  if (crew.wages && crew.rate_per_min > 0)
+    fail(at + "/wages", fmt::format("given besides rate_per_min = {}", crew.rate_per_min),
+         "give one of the two");
   if (!crew.calendar.empty()) check_reference(s.calendars, crew.calendar, at + "/calendar", "calendar");
 }
 

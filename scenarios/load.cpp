@@ -5,12 +5,27 @@
 #include <fmt/format.h>
 
 #include "models/catalogue/closest.h"
+#include "models/maintenance/k409_repair_service.h"
 #include "scenarios/check.h"
 #include "scenarios/model_json.h"
 
 namespace verstat::scenarios {
 
 using nlohmann::json;
+
+double wage_fund_per_min(const Crew& crew) {
+  const CrewWages& wages = *crew.wages;
+  return models::k409::maintenance_wage_fund({.crews = crew.members,
+                                              .workers_per_crew = wages.workers_per_member,
+                                              .shifts = wages.shifts,
+                                              .attendance = wages.attendance,
+                                              .monthly_wage = wages.monthly_wage,
+                                              .bonus_fraction = wages.bonus_fraction,
+                                              .social_fraction = wages.social_fraction,
+                                              .hours_per_month = wages.hours_per_month})
+             .crew_cost_per_h /
+         60;
+}
 
 namespace {
 
@@ -206,6 +221,11 @@ Scenario load(const json& scenario) {
     throw InputError("/" + e.input(), (e.input().empty() ? "the scenario" : "/") + std::string(e.what()));
   }
   check_whole(result);
+  for (Crew& crew : result.crews)
+    if (crew.wages) {
+      crew.rate_per_min = wage_fund_per_min(crew);
+      crew.pay = CrewPay::shift;
+    }
   return result;
 }
 

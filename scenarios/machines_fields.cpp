@@ -33,12 +33,28 @@ std::vector<Field> StructFields<Calendar>::fields() {
       entries(may<Calendar>(&Calendar::holidays, "holidays", "-", no_range(), "whole days without work"), 0,
               10'000)};
 }
+std::vector<Field> StructFields<CrewWages>::fields() {
+  using W = CrewWages;
+  return {
+      may<W>(&W::workers_per_member, "workers_per_member", "1", closed(1, 100),
+             "people who work together as one member of the crew"),
+      may<W>(&W::shifts, "shifts", "1", closed(1, 10), "shifts that are staffed"),
+      may<W>(&W::attendance, "attendance", "1", open_low(0, 1),
+             "share of the people on the list who are there"),
+      need<W>(&W::monthly_wage, "monthly_wage", "money", money, "wage of one person a month"),
+      may<W>(&W::bonus_fraction, "bonus_fraction", "1", closed(0, 10), "bonus on top of the wage"),
+      may<W>(&W::social_fraction, "social_fraction", "1", closed(0, 10),
+             "paid by the employer on top of wage and bonus"),
+      may<W>(&W::hours_per_month, "hours_per_month", "h", open_low(0, 744), "hours of one shift a month")};
+}
 std::vector<Field> StructFields<Crew>::fields() {
   return {
       need<Crew>(&Crew::name, "name", "-", no_range(), "name that tools and machines refer to"),
       may<Crew>(&Crew::members, "members", "1", closed(1, 10'000), "people who can work at the same time"),
       may<Crew>(&Crew::rate_per_min, "rate_per_min", "money/min", money, "wage of one member"),
       may<Crew>(&Crew::pay, "pay", "-", no_range(), "paid for the minutes worked or for the whole shift"),
+      may<Crew>(&Crew::wages, "wages", "-", no_range(),
+                "instead of rate_per_min: the wage fund, paid for the whole shift (K409)"),
       entries(
           may<Crew>(&Crew::skills, "skills", "-", no_range(),
                     "what the crew can do besides: whoever is asked for by a skill may come from any crew "

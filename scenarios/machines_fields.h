@@ -61,6 +61,7 @@ struct EnumNames<scenarios::Attendance> {
 VERSTAT_DESCRIBED(Shift);
 VERSTAT_DESCRIBED(Holiday);
 VERSTAT_DESCRIBED(Calendar);
+VERSTAT_DESCRIBED(CrewWages);
 VERSTAT_DESCRIBED(Crew);
 VERSTAT_DESCRIBED(FailureMode);
 VERSTAT_DESCRIBED(Maintenance);

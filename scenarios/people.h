@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -32,11 +33,22 @@ enum class CrewPay {
   busy,  ///< paid for the minutes worked (K117)
   shift  ///< paid for the whole scheduled time
 };
+/// What a member of a repair crew costs, from wages (K409.maintenance_wage_fund).
+struct CrewWages {
+  std::int64_t workers_per_member = 1;  ///< people who work together as one member
+  std::int64_t shifts = 1;
+  double attendance = 1;    ///< share of the people on the list who are there
+  double monthly_wage = 0;  ///< of one of them
+  double bonus_fraction = 0;
+  double social_fraction = 0;    ///< paid by the employer on top of wage and bonus
+  double hours_per_month = 168;  ///< of one shift
+};
 struct Crew {
   std::string name;
   std::int64_t members = 1;
   double rate_per_min = 0;
   CrewPay pay = CrewPay::busy;
+  std::optional<CrewWages> wages;        ///< instead of rate_per_min: paid for the whole shift
   std::vector<std::string> skills;       ///< besides the crew's own name
   std::string calendar;                  ///< empty: always there
   double walking_min = 0;                ///< to the machine, at every call

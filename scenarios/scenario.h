@@ -70,6 +70,10 @@ struct Scenario {
 /// The same on the first of its machine groups.
 [[nodiscard]] operations::CutPlan plan(const Scenario& scenario, const Operation& operation);
 
+/// Cost of one member of a crew that states its wages, money per minute on shift
+/// (K409.maintenance_wage_fund).
+[[nodiscard]] double wage_fund_per_min(const Crew& crew);
+
 /// Indices of the machine groups that can do the operation, in the order in which they are named (a
 /// capability: in the order of the scenario).
 [[nodiscard]] std::vector<std::size_t> groups_of(const Scenario& scenario, const Operation& operation);

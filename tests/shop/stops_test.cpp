@@ -1,6 +1,8 @@
 // Failures, maintenance, people and calendars against closed forms.
+#include "models/maintenance/k409_repair_service.h"
 #include "tests/shop/small_shop.h"
 
+using namespace verstat;
 using namespace verstat::test;
 
 TEST_CASE("failures on every clock", "[shop][stops]") {
@@ -76,6 +78,23 @@ TEST_CASE("one repairer for three machines: the machine-repair model", "[shop][s
     CHECK(value("cost/repair") * value("parts_good") == Approx(value("crew/fitters/utilization") * 100'000));
   }
   check_audit(shop);
+}
+
+TEST_CASE("the gallery's repair service is K409's machine-repair queue, paid from its wage fund",
+          "[shop][stops]") {
+  json shop = scenarios_of("repair-service");
+  shop["simulation"] = {
+      {"horizon_min", 1'050'000}, {"warmup_min", 50'000}, {"replications", 10}, {"seed", "3"}};
+  const auto theory = models::k409::machine_repair_queue({{.machines = 20, .mtbf_h = 80, .mttr_h = 6}, 3});
+  const auto result = run(shop);
+  double availability = 0;
+  for (int k = 1; k <= 20; ++k)
+    availability += mean(result, "machine/lathe " + std::to_string(k) + "/availability") / 20;
+  CHECK(availability == Approx(theory.availability).epsilon(0.003));
+  check_truth(result, "crew/repairmen/utilization", theory.crew_utilization, 0.05);
+  // 18.3 an hour for each of three members, all the time.
+  const double parts = mean(result, "parts_good");
+  CHECK(mean(result, "cost/labour") == Approx(18.3 / 60 * 3 * 1'000'000 / parts).epsilon(1e-3));
 }
 
 TEST_CASE("maintenance prevents what it renews", "[shop][stops]") {
