@@ -1,7 +1,10 @@
 #include "optimize/renewal_reward.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -12,6 +15,7 @@ namespace verstat::optimize {
 
 using models::LifeLaw;
 using scenarios::Crew;
+using scenarios::InputError;
 using scenarios::Insert;
 using scenarios::Operation;
 using scenarios::Tool;
@@ -24,15 +28,45 @@ struct EdgeRates {
   double failures_per_min = 0;
 };
 
+// Integral of R(t) exp(-rate t) over 0..tau: the mean time in use of an edge that also breaks by chance.
+double thinned_restricted_mean(const LifeLaw& life, double rate, double tau_min) {
+  // Gauss-Legendre of five points on panels no longer than a fifth of either time scale.
+  constexpr std::array nodes{0.0, 0.5384693101056831, -0.5384693101056831, 0.9061798459386640,
+                             -0.9061798459386640};
+  constexpr std::array weights{0.5688888888888889, 0.4786286704993665, 0.4786286704993665, 0.2369268850561891,
+                               0.2369268850561891};
+  const double end_min = std::min({tau_min, 40 / rate, life.quantile(1 - 1e-15)});
+  const double panel_min = 0.2 * std::min(life.mean(), 1 / rate);
+  const int panels = std::clamp(static_cast<int>(std::ceil(end_min / panel_min)), 8, 2000);
+  const double h = 0.5 * end_min / panels;
+  double sum = 0;
+  for (int p = 0; p < panels; ++p)
+    for (std::size_t k = 0; k < nodes.size(); ++k) {
+      const double t = (2 * p + 1 + nodes[k]) * h;
+      sum += weights[k] * h * life.reliability(t) * std::exp(-rate * t);
+    }
+  return sum;
+}
+
 struct RatesOf {
   const LifeLaw& life;  // at the regime
   double main_time_min;
+  double breaks_per_min = 0;  // by chance, besides wear
 
   [[nodiscard]] EdgeRates aged(double tau_min) const {
+    if (breaks_per_min > 0) {
+      const double used_min = thinned_restricted_mean(life, breaks_per_min, tau_min);
+      const double planned =
+          std::isfinite(tau_min) ? life.reliability(tau_min) * std::exp(-breaks_per_min * tau_min) : 0;
+      return {planned / used_min, (1 - planned) / used_min};
+    }
     const double used_min = life.restricted_mean(tau_min);
     return {life.reliability(tau_min) / used_min, life.failure_probability(tau_min) / used_min};
   }
-  EdgeRates operator()(const scenarios::RunToFailure&) const { return {0, 1 / life.mean_life()}; }
+  EdgeRates operator()(const scenarios::RunToFailure&) const {
+    if (breaks_per_min > 0) return aged(std::numeric_limits<double>::infinity());
+    return {0, 1 / life.mean_life()};
+  }
   EdgeRates operator()(const scenarios::AgeReplacement& s) const {
     return aged(life.gamma_percent_life(s.gamma));
   }
@@ -43,7 +77,17 @@ struct RatesOf {
   }
   EdgeRates operator()(const scenarios::BlockReplacement& s) const {
     const double period_min = life.gamma_percent_life(s.gamma);
+    if (breaks_per_min > 0)
+      throw InputError("",
+                       "block replacement of a tool that also breaks by chance is left to the simulation");
     return {1 / period_min, life.renewal_function(period_min) / period_min};
+  }
+  // Strategies without long-run rates.
+  template <class Other>
+  EdgeRates operator()(const Other&) const {
+    throw InputError(
+        "", fmt::format("the long-run model does not cover the strategy \"{}\": it is left to the simulation",
+                        Other::kind));
   }
 };
 
@@ -59,39 +103,88 @@ double edges_used_per_insert(std::int64_t edges, double s, double p_single) {
   return p_single + (1 - p_single) * several;
 }
 
-LongRunModel::LongRunModel(const scenarios::Scenario& scenario) : scenario_(scenario) {
-  if (scenario.parts.size() != 1)
-    throw scenarios::InputError("/parts",
-                                fmt::format("/parts has {} entries; the long-run cost per part is that of "
-                                            "one part type",
-                                            scenario.parts.size()));
-  for (std::size_t t = 0; t < scenario.tools.size(); ++t) {
-    const Tool& tool = scenario.tools[t];
-    if (scenarios::find_named(scenario.crews, tool.crew)->pay == scenarios::CrewPay::shift)
-      throw scenarios::InputError(
-          fmt::format("/tools/{}/crew", t),
-          fmt::format("/tools/{}/crew = \"{}\", is paid by the shift: its cost per part depends on "
-                      "the whole shop and is left to the simulation",
-                      t, tool.crew));
-  }
+namespace {
+
+// Life laws are solved from mean and scatter: kept while the scatter stands.
+struct KnownLaw {
+  models::LifeLawKind kind = models::LifeLawKind::weibull;
+  double cv = 0;
+  std::optional<LifeLaw> unit;
+};
+
+template <class T>
+std::size_t position(const std::vector<T>& all, const std::string& name) {
+  return static_cast<std::size_t>(scenarios::find_named(all, name) - all.data());
 }
 
-OperationCost LongRunModel::operation_cost(const Operation& operation) const {
-  const double machine_rate = scenarios::find_named(scenario_.machines, operation.machine)->rate_per_min;
-  const operations::CutPlan plan = scenarios::plan(scenario_, operation);
-  if (plan.breakage_probability > 0 && plan.edge && !operation.tool.empty())
-    throw scenarios::InputError(
-        "", fmt::format("operation \"{}\" can break its tool: its cost per part is left to the "
-                        "simulation",
-                        operation.name));
-  const double process_scrap = plan.scrap_probability * scenario_.parts.front().value;
-  if (!plan.edge || operation.tool.empty())
-    return {machine_rate * plan.main_time_min + process_scrap, plan.main_time_min, 0};
-  const Tool& tool = *scenarios::find_named(scenario_.tools, operation.tool);
-  const Insert& insert = *scenarios::find_named(scenario_.inserts, tool.insert);
-  const Crew& crew = *scenarios::find_named(scenario_.crews, tool.crew);
-  const LifeLaw life(insert.edge_life.law, plan.edge->mean_min, insert.edge_life.cv);
-  const EdgeRates rates = std::visit(RatesOf{life, plan.main_time_min}, tool.strategy);
+}  // namespace
+
+struct LongRunModel::Cache {
+  struct OperationAt {
+    std::size_t machine = 0;
+    std::optional<std::size_t> tool;
+  };
+  struct ToolAt {
+    std::size_t insert = 0;
+    std::size_t crew = 0;
+    KnownLaw law;
+  };
+  std::vector<OperationAt> operations;
+  std::vector<ToolAt> tools;
+  std::vector<std::vector<std::size_t>> routes;
+  // Part types with blanks always at hand, by the group of their first operation.
+  std::vector<std::vector<std::size_t>> unlimited;
+};
+
+LongRunModel::~LongRunModel() = default;
+
+LongRunModel::LongRunModel(const scenarios::Scenario& scenario)
+    : scenario_(scenario), cache_(std::make_unique<Cache>()) {
+  for (const Operation& operation : scenario.operations) {
+    Cache::OperationAt at{position(scenario.machines, operation.machine), {}};
+    if (!operation.tool.empty()) at.tool = position(scenario.tools, operation.tool);
+    cache_->operations.push_back(at);
+  }
+  for (const Tool& tool : scenario.tools)
+    cache_->tools.push_back(
+        {position(scenario.inserts, tool.insert), position(scenario.crews, tool.crew), {}});
+  cache_->unlimited.resize(scenario.machines.size());
+  for (std::size_t p = 0; p < scenario.parts.size(); ++p) {
+    auto& route = cache_->routes.emplace_back();
+    for (const std::string& name : scenario.parts[p].route)
+      route.push_back(position(scenario.operations, name));
+    const auto& supply = scenario.parts[p].supply;
+    if (std::holds_alternative<scenarios::AlwaysAvailable>(supply)) {
+      cache_->unlimited[cache_->operations[route.front()].machine].push_back(p);
+    } else if (!std::holds_alternative<scenarios::Interarrival>(supply)) {
+      throw InputError(fmt::format("/parts/{}/supply", p),
+                       fmt::format("/parts/{}/supply, is left to the simulation by the long-run model", p));
+    }
+  }
+  (void)evaluate();  // says now what it does not cover
+}
+
+OperationCost LongRunModel::cost_of(std::size_t index, const operations::CutPlan& plan) const {
+  const Cache::OperationAt& at = cache_->operations[index];
+  const double machine_rate = scenario_.machines[at.machine].rate_per_min;
+  OperationCost cost{.cost_per_part = machine_rate * plan.main_time_min,
+                     .time_per_part_min = plan.main_time_min,
+                     .survival = 1 - plan.scrap_probability};
+  if (!plan.edge || !at.tool) return cost;
+  const Tool& tool = scenario_.tools[*at.tool];
+  Cache::ToolAt& tool_at = cache_->tools[*at.tool];
+  const Insert& insert = scenario_.inserts[tool_at.insert];
+  const Crew& crew = scenario_.crews[tool_at.crew];
+  KnownLaw& known = tool_at.law;
+  if (!known.unit || known.kind != insert.edge_life.law || known.cv != insert.edge_life.cv)
+    known = {insert.edge_life.law, insert.edge_life.cv,
+             LifeLaw(insert.edge_life.law, 1.0, insert.edge_life.cv)};
+  const LifeLaw life = known.unit->with_mean(plan.edge->mean_min);
+  const double breaks_per_min =
+      plan.breakage_probability > 0
+          ? -std::log1p(-std::min(plan.breakage_probability, 1 - 1e-12)) / plan.main_time_min
+          : 0;
+  const EdgeRates rates = std::visit(RatesOf{life, plan.main_time_min, breaks_per_min}, tool.strategy);
   const double changes_per_min = rates.planned_per_min + rates.failures_per_min;
   const double failing_share = rates.failures_per_min / changes_per_min;
 
@@ -107,21 +200,178 @@ OperationCost LongRunModel::operation_cost(const Operation& operation) const {
   const bool by_periods = tool.insert_booking == scenarios::InsertBooking::life_periods;
   const double insert_planned = by_periods ? insert.price / tool.periods_planned : insert.price * replaces;
   const double insert_failure = by_periods ? insert.price / tool.periods_failure : insert.price * replaces;
-  const double scrap = tool.failure_scrap_probability * scenario_.parts.front().value;
+  const double wage = crew.pay == scenarios::CrewPay::busy ? crew.rate_per_min : 0;
   const double cost_per_min =
-      (machine_rate + crew.rate_per_min) * changing +
-      rates.planned_per_min * (insert_planned + tool.regrind_planned) +
-      rates.failures_per_min * (insert_failure + tool.regrind_failure + tool.failure_damage + scrap);
-  return {.cost_per_part = plan.main_time_min * (machine_rate + cost_per_min) + process_scrap,
-          .time_per_part_min = plan.main_time_min * (1 + changing),
-          .failures_per_part = plan.main_time_min * rates.failures_per_min};
+      (machine_rate + wage) * changing + rates.planned_per_min * (insert_planned + tool.regrind_planned) +
+      rates.failures_per_min * (insert_failure + tool.regrind_failure + tool.failure_damage);
+  cost.cost_per_part = plan.main_time_min * (machine_rate + cost_per_min);
+  cost.changing_per_part_min = plan.main_time_min * changing;
+  cost.time_per_part_min = plan.main_time_min * (1 + changing);
+  cost.crew_per_part_min = cost.changing_per_part_min;
+  cost.failures_per_part = plan.main_time_min * rates.failures_per_min;
+  cost.changes_per_part = plan.main_time_min * changes_per_min;
+  cost.inserts_per_part = cost.changes_per_part * replaces;
+  // Failures within one part are nearly Poisson; each spoils it with the stated probability.
+  cost.survival *= std::exp(-cost.failures_per_part * tool.failure_scrap_probability);
+  return cost;
 }
 
-double LongRunModel::cost_per_part() const {
-  double total = 0;
-  for (const std::string& name : scenario_.parts.front().route)
-    total += operation_cost(*scenarios::find_named(scenario_.operations, name)).cost_per_part;
-  return std::isfinite(total) ? total : std::numeric_limits<double>::infinity();
+OperationCost LongRunModel::operation_cost(const Operation& operation) const {
+  return cost_of(static_cast<std::size_t>(&operation - scenario_.operations.data()),
+                 scenarios::plan(scenario_, operation));
+}
+
+// Rates of parts through the shop, then what they cost. Good parts leave a group as fast as it works: in an
+// overloaded one queues grow and its customers share what it does.
+void LongRunModel::flow(LongRun& run) const {
+  const Cache& c = *cache_;
+  const std::size_t groups = scenario_.machines.size();
+  std::vector<std::vector<double>> in;  // parts per minute that come to step k of part type p
+  for (std::size_t p = 0; p < c.routes.size(); ++p) {
+    in.emplace_back(c.routes[p].size(), 0.0);
+    if (const auto* arrivals = std::get_if<scenarios::Interarrival>(&scenario_.parts[p].supply))
+      in[p][0] = 1 / scenarios::mean_min(arrivals->time);
+  }
+  const auto work = [&](std::size_t group) {
+    double sum = 0;
+    for (std::size_t p = 0; p < c.routes.size(); ++p)
+      for (std::size_t k = 0; k < c.routes[p].size(); ++k)
+        if (c.operations[c.routes[p][k]].machine == group)
+          sum += in[p][k] * run.operations[c.routes[p][k]].time_per_part_min;
+    return sum;
+  };
+  std::vector<double> pace(groups, 1.0);  // share of the work that comes and is done
+  constexpr int most_rounds = 300;
+  for (int round = 0; round < most_rounds; ++round) {
+    // Rates that chase each other round a loop of the routes settle when they move half way.
+    const double step = round < 60 ? 1.0 : 0.5;
+    double moved = 0;
+    const auto set = [&](double& rate, double to) {
+      const double value = rate + step * (to - rate);
+      moved = std::max(moved, std::abs(value - rate) / std::max(std::abs(value), 1e-300));
+      rate = value;
+    };
+    for (std::size_t g = 0; g < groups; ++g) {
+      const auto count = static_cast<double>(scenario_.machines[g].count);
+      if (!c.unlimited[g].empty()) {
+        double own = 0;    // work of one blank of every type
+        double first = 0;  // work of the blanks at their present rate
+        for (const std::size_t p : c.unlimited[g]) {
+          const double time_min = run.operations[c.routes[p][0]].time_per_part_min;
+          own += time_min;
+          first += in[p][0] * time_min;
+        }
+        const double rate = std::max(0.0, count - (work(g) - first)) / own;
+        for (const std::size_t p : c.unlimited[g]) set(in[p][0], rate);
+      }
+      const double load = work(g) / count;
+      pace[g] = load > 1 + 1e-12 ? 1 / load : 1.0;
+    }
+    for (std::size_t p = 0; p < c.routes.size(); ++p)
+      for (std::size_t k = 1; k < c.routes[p].size(); ++k) {
+        const std::size_t before = c.routes[p][k - 1];
+        set(in[p][k], in[p][k - 1] * pace[c.operations[before].machine] * run.operations[before].survival);
+      }
+    if (moved < 1e-13) break;
+  }
+
+  run.operation_rate_per_min.assign(scenario_.operations.size(), 0.0);
+  double good = 0;
+  double finished = 0;
+  double scrap_cost = 0;  // per minute
+  for (std::size_t p = 0; p < c.routes.size(); ++p)
+    for (std::size_t k = 0; k < c.routes[p].size(); ++k) {
+      const std::size_t o = c.routes[p][k];
+      const double done = in[p][k] * pace[c.operations[o].machine];
+      run.operation_rate_per_min[o] += done;
+      const double survival = run.operations[o].survival;
+      finished += done * (k + 1 == c.routes[p].size() ? 1.0 : 1 - survival);
+      if (k + 1 == c.routes[p].size()) good += done * survival;
+      // Per failure, as K117 books it, and per part that the process itself spoils.
+      const double tool_scrap = c.operations[o].tool
+                                    ? run.operations[o].failures_per_part *
+                                          scenario_.tools[*c.operations[o].tool].failure_scrap_probability
+                                    : 0;
+      scrap_cost += done * scenario_.parts[p].value * (tool_scrap + run.plans[o].scrap_probability);
+    }
+  run.machines.assign(groups, {});
+  double idle_cost = 0;  // per minute
+  for (std::size_t g = 0; g < groups; ++g) {
+    const auto count = static_cast<double>(scenario_.machines[g].count);
+    run.machines[g].load = work(g) / count;
+    double changing = 0;
+    double busy = 0;
+    for (std::size_t o = 0; o < c.operations.size(); ++o)
+      if (c.operations[o].machine == g) {
+        busy += run.operation_rate_per_min[o] * run.operations[o].time_per_part_min;
+        changing += run.operation_rate_per_min[o] * run.operations[o].changing_per_part_min;
+      }
+    run.machines[g].changing = busy > 0 ? changing / busy : 0;
+    const double idle = count - busy;
+    if (idle > 1e-12 * count) idle_cost += idle * scenario_.machines[g].rate_per_min;
+    if (run.machines[g].load > run.machines[run.bottleneck].load) run.bottleneck = g;
+  }
+  double shift_cost = 0;  // per minute
+  for (const Crew& crew : scenario_.crews)
+    if (crew.pay == scenarios::CrewPay::shift)
+      shift_cost += crew.rate_per_min * static_cast<double>(crew.members);
+
+  constexpr double none = std::numeric_limits<double>::infinity();
+  double per_part = (scrap_cost + idle_cost + shift_cost) / finished;
+  for (std::size_t o = 0; o < c.operations.size(); ++o)
+    per_part += run.operation_rate_per_min[o] / finished * run.operations[o].cost_per_part;
+  run.cost_per_part = finished > 0 && std::isfinite(per_part) ? per_part : none;
+  run.cost_per_good_part = good > 0 ? run.cost_per_part * finished / good : none;
+  run.throughput_per_h = 60 * good;
+  run.quality_ratio = finished > 0 ? good / finished : 0;
+}
+
+LongRun LongRunModel::evaluate() const {
+  LongRun run;
+  for (std::size_t o = 0; o < scenario_.operations.size(); ++o) {
+    run.plans.push_back(scenarios::plan(scenario_, scenario_.operations[o]));
+    run.operations.push_back(cost_of(o, run.plans.back()));
+  }
+  flow(run);
+  return run;
+}
+
+std::vector<std::string> LongRunModel::kpis() const {
+  std::vector<std::string> names{"cost_per_part", "cost_per_good_part", "throughput_per_h", "quality_ratio"};
+  for (const auto& machine : scenario_.machines) names.push_back("load/" + machine.name);
+  for (const Tool& tool : scenario_.tools) {
+    names.push_back(fmt::format("tool/{}/failure_share", tool.name));
+    names.push_back(fmt::format("tool/{}/inserts_per_100_parts", tool.name));
+  }
+  return names;
+}
+
+std::optional<std::size_t> LongRunModel::kpi(const std::string& name) const {
+  const auto names = kpis();
+  const auto found = std::find(names.begin(), names.end(), name);
+  if (found == names.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - names.begin());
+}
+
+double LongRunModel::value(const LongRun& run, std::size_t kpi) const {
+  const std::array whole{run.cost_per_part, run.cost_per_good_part, run.throughput_per_h, run.quality_ratio};
+  if (kpi < whole.size()) return whole[kpi];
+  kpi -= whole.size();
+  if (kpi < run.machines.size()) return run.machines[kpi].load;
+  kpi -= run.machines.size();
+  double failures = 0;
+  double changes = 0;
+  double inserts = 0;
+  for (std::size_t o = 0; o < run.operations.size(); ++o) {
+    if (cache_->operations[o].tool != kpi / 2) continue;
+    const double rate = run.operation_rate_per_min[o];
+    failures += rate * run.operations[o].failures_per_part;
+    changes += rate * run.operations[o].changes_per_part;
+    inserts += rate * run.operations[o].inserts_per_part;
+  }
+  if (kpi % 2 == 0) return changes > 0 ? failures / changes : 0;
+  const double finished_per_min = run.throughput_per_h / 60 / run.quality_ratio;
+  return 100 * inserts / finished_per_min;
 }
 
 }  // namespace verstat::optimize
