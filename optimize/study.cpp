@@ -45,13 +45,7 @@ class Run {
       answer_.baseline_value = finite(look.objectives.at(0));
       for (const Checked& c : look.conditions)
         answer_.baseline_feasible = answer_.baseline_feasible && c.margin >= -margin_tolerance;
-    } else if (study_.simulation.trials == 0) {
-      throw InputError(
-          "/simulation/trials",
-          fmt::format("/simulation/trials = 0, but {}: only simulation can tell, so it needs trials",
-                      answer_.not_covered));
     }
-    check_kpis();
     try {
       stages();
     } catch (const Interrupted& why) {
@@ -78,26 +72,8 @@ class Run {
     return columns_.size() - 1;
   }
 
-  // KPIs that are only simulated must exist in the simulation.
-  void check_kpis() const {
-    std::vector<std::string> names;
-    for (const auto& info : shop::kpi_infos(scenarios::load(problem_.scenario()))) names.push_back(info.name);
-    const auto check = [&](const std::string& kpi, bool long_run, const std::string& at) {
-      if (long_run && study_.simulation.trials == 0) return;
-      if (std::find(names.begin(), names.end(), kpi) == names.end())
-        throw InputError(
-            at, fmt::format("{} = \"{}\", there is no such KPI in a run of the scenario; closest: \"{}\"", at,
-                            kpi, models::closest(kpi, names)));
-    };
-    for (const ObjectiveSpec& o : study_.objectives) check(o.kpi, false, "/objective/kpi");
-    for (const Condition& c : problem_.conditions())
-      if (c.kind == Condition::Kind::kpi) check(c.item, c.long_run_kpi.has_value(), "/constraints/kpi");
-  }
-
   void make_samples() {
-    const auto inputs = study_.uncertain;
-    if (inputs.empty())
-      throw InputError("/robust", "/robust: say in /uncertain which inputs are uncertain, and by how much");
+    const auto& inputs = study_.uncertain;
     // Latin hypercube: every input takes every n-th part of its range once.
     const auto n = static_cast<std::size_t>(study_.robust.samples);
     std::vector<std::vector<Shift>> samples(n);
@@ -441,6 +417,41 @@ class Run {
 };
 
 }  // namespace
+
+void check_study(const Problem& problem) {
+  const StudySpec& study = problem.study();
+  if (!problem.not_covered().empty() && study.simulation.trials == 0)
+    throw InputError(
+        "/simulation/trials",
+        fmt::format("/simulation/trials = 0, but {}: only simulation can tell, so it needs trials",
+                    problem.not_covered()));
+  if (study.robust.samples > 0 && study.uncertain.empty())
+    throw InputError("/robust", "/robust: say in /uncertain which inputs are uncertain, and by how much");
+  for (const UncertainSpec& input : study.uncertain)
+    (void)Problem(study, problem.scenario(), {{input.pointer, 1.0}});
+  // KPIs that are only simulated must exist in the simulation, and the confirmation simulates the first.
+  std::vector<std::string> names;
+  for (const auto& info : shop::kpi_infos(scenarios::load(problem.scenario()))) names.push_back(info.name);
+  const auto check = [&](const std::string& kpi, const std::string& at) {
+    if (std::find(names.begin(), names.end(), kpi) == names.end())
+      throw InputError(
+          at, fmt::format("{} = \"{}\", there is no such KPI in a run of the scenario; closest: \"{}\"", at,
+                          kpi.substr(0, 100), models::closest(kpi, names)));
+  };
+  check(study.objective.kpi, "/objective/kpi");
+  const bool simulates = study.simulation.trials > 0 || study.front.replications > 0;
+  for (std::size_t k = 1; k < study.objectives.size(); ++k)
+    if (simulates) check(study.objectives[k].kpi, fmt::format("/objectives/{}/kpi", k));
+  for (const Condition& c : problem.conditions())
+    if (c.kind == Condition::Kind::kpi && (study.simulation.trials > 0 || !c.long_run_kpi))
+      check(c.item, "/constraints/kpi");
+  if (study.simulation.trials == 0)
+    for (const Condition& c : problem.conditions())
+      if (c.kind == Condition::Kind::kpi && !c.long_run_kpi)
+        throw InputError(
+            "/simulation/trials",
+            fmt::format("/simulation/trials = 0, but only simulation knows \"{}\" of a constraint", c.item));
+}
 
 StudyAnswer run_study(Problem& problem, Ledger& ledger, const StudyTools& tools) {
   return Run(problem, ledger, tools).answer();

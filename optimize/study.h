@@ -90,6 +90,9 @@ struct StudyAnswer {
 /// so far, when the ledger says so. Throws scenarios::InputError for a study that cannot be run.
 [[nodiscard]] StudyAnswer run_study(Problem& problem, Ledger& ledger, const StudyTools& tools);
 
+/// What run_study would refuse, without computing anything. Throws scenarios::InputError.
+void check_study(const Problem& problem);
+
 /// Seed of one stage, so that its streams are fresh: "choice", "confirmation".
 [[nodiscard]] std::uint64_t stage_seed(std::uint64_t seed, const std::string& stage);
 

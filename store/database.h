@@ -32,6 +32,8 @@ class Writer {
   Writer& operator=(const Writer&) = delete;
   ~Writer();
 
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
   /// Stores a whole run in one transaction; returns its id. The ids in `run` are ignored.
   std::int64_t add_run(const Run& run);
   /// Opens a study in state "running"; returns its id. Trials and results are added later.
