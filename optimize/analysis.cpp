@@ -185,7 +185,7 @@ std::vector<OneCut> one_cut_optima(const scenarios::Scenario& plan) {
     const auto& tool = *scenarios::find_named(shop.tools, operation.tool);
     const auto& insert = *scenarios::find_named(shop.inserts, tool.insert);
     const auto& crew = *scenarios::find_named(shop.crews, tool.crew);
-    const auto& machine = *scenarios::find_named(shop.machines, operation.machine);
+    const auto& machine = shop.machines[scenarios::groups_of(shop, operation).front()];
     if (!(machine.rate_per_min > 0)) continue;
     // A planned change: of the n edges of an insert one is fitted, the others are indexed to.
     const double replaces = 1 / edges_used_per_insert(insert.edges, 1.0, insert.single_edge_probability);

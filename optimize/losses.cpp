@@ -37,6 +37,31 @@ std::vector<Loss> losses_of(const scenarios::Scenario& s) {
       all.push_back(
           {"scrap after failures of " + tool.name, "scrap", {{at + "/failure_scrap_probability", 0.0}}});
   }
+  for (std::size_t m = 0; m < s.machines.size(); ++m) {
+    const scenarios::Machine& machine = s.machines[m];
+    const std::string at = fmt::format("/machines/{}", m);
+    // As long as any study, in minutes or in parts.
+    const json never = {{"kind", "constant"}, {"value_min", 1e9}};
+    for (std::size_t f = 0; f < machine.failures.size(); ++f)
+      all.push_back({fmt::format("{} of {}", machine.failures[f].name, machine.name),
+                     "failure",
+                     {{fmt::format("{}/failures/{}/time_to_failure", at, f), never}}});
+    for (std::size_t k = 0; k < machine.maintenance.size(); ++k)
+      all.push_back({fmt::format("time of {} of {}", machine.maintenance[k].name, machine.name),
+                     "change",
+                     {{fmt::format("{}/maintenance/{}/duration", at, k), {{"kind", "constant"}, {"value_min", 0.0}}}}});
+    if (machine.setup) all.push_back({"setting up " + machine.name, "change", {{at + "/setup", nullptr}}});
+  }
+  for (std::size_t o = 0; o < s.operations.size(); ++o) {
+    const auto& quality = s.operations[o].quality;
+    const std::string at = fmt::format("/operations/{}/quality", o);
+    if (quality && quality->scrap_probability > 0)
+      all.push_back({"scrap of " + s.operations[o].name, "scrap", {{at + "/scrap_probability", 0.0}}});
+    if (quality && (quality->defect_probability > 0 || quality->defect_when_worn > 0))
+      all.push_back({"defects of " + s.operations[o].name,
+                     "scrap",
+                     {{at + "/defect_probability", 0.0}, {at + "/defect_when_worn", 0.0}}});
+  }
   const std::int64_t machines =
       std::accumulate(s.machines.begin(), s.machines.end(), std::int64_t{0},
                       [](std::int64_t sum, const scenarios::Machine& m) { return sum + m.count; });

@@ -9,7 +9,9 @@
 #include <fmt/format.h>
 
 #include "models/math/life_law.h"
-#include "scenarios/json_text.h"
+#include "scenarios/capacity.h"
+#include "scenarios/input_error.h"
+#include "scenarios/route.h"
 
 namespace verstat::optimize {
 
@@ -131,35 +133,89 @@ struct LongRunModel::Cache {
   };
   std::vector<OperationAt> operations;
   std::vector<ToolAt> tools;
-  std::vector<std::vector<std::size_t>> routes;
+  std::vector<scenarios::Route> routes;
   // Part types with blanks always at hand, by the group of their first operation.
   std::vector<std::vector<std::size_t>> unlimited;
 };
 
 LongRunModel::~LongRunModel() = default;
 
+namespace {
+
+[[noreturn]] void leave_to_simulation(const std::string& pointer, const std::string& why) {
+  throw InputError(pointer, fmt::format("{}: {}, which the long-run model leaves to the simulation", pointer, why));
+}
+
+// What stops, blocks or hurries a shop in ways that only a simulation tells.
+void check_covered(const scenarios::Scenario& s) {
+  for (std::size_t k = 0; k < s.machines.size(); ++k) {
+    const scenarios::Machine& m = s.machines[k];
+    const std::string at = fmt::format("/machines/{}", k);
+    if (!m.failures.empty()) leave_to_simulation(at + "/failures", "the machine fails");
+    if (!m.maintenance.empty()) leave_to_simulation(at + "/maintenance", "the machine is maintained");
+    if (m.setup) leave_to_simulation(at + "/setup", "the machine is set up between families");
+    if (m.attendance) leave_to_simulation(at + "/attendance", "the machine needs an operator");
+    if (!m.calendar.empty()) leave_to_simulation(at + "/calendar", "the machine works by a calendar");
+    if (m.queue_capacity) leave_to_simulation(at + "/queue_capacity", "a full queue blocks");
+    if (m.switch_off) leave_to_simulation(at + "/switch_off", "the machine is switched off");
+    const scenarios::Power& power = m.power;
+    if (s.energy_price_per_kwh > 0 && power.cutting_kw + power.working_kw + power.standby_kw + power.off_kw > 0)
+      leave_to_simulation(at + "/power", "energy is paid for");
+  }
+  for (std::size_t k = 0; k < s.operations.size(); ++k) {
+    const Operation& o = s.operations[k];
+    const std::string at = fmt::format("/operations/{}", k);
+    if (scenarios::groups_of(s, o).size() > 1) leave_to_simulation(at, "several machine groups share the operation");
+    if (o.inspection) leave_to_simulation(at + "/inspection", "parts are inspected");
+    if (o.quality && (o.quality->defect_probability > 0 || o.quality->defect_when_worn > 0))
+      leave_to_simulation(at + "/quality", "defects stay hidden");
+  }
+  for (std::size_t k = 0; k < s.tools.size(); ++k) {
+    const Crew* crew = scenarios::find_named(s.crews, s.tools[k].crew);
+    const std::string at = fmt::format("/tools/{}/crew", k);
+    if (crew == nullptr) leave_to_simulation(at, "several crews may change edges");
+    if (!crew->calendar.empty()) leave_to_simulation(at, "the crew works by a calendar");
+    if (crew->walking_min > 0) leave_to_simulation(at, "the crew walks to the machines");
+  }
+  for (std::size_t k = 0; k < s.crews.size(); ++k)
+    if (s.crews[k].pay == scenarios::CrewPay::shift && !s.crews[k].calendar.empty())
+      leave_to_simulation(fmt::format("/crews/{}/calendar", k), "the crew works by a calendar");
+  for (std::size_t k = 0; k < s.stores.size(); ++k)
+    if (s.stores[k].capacity || s.stores[k].demand)
+      leave_to_simulation(fmt::format("/stores/{}", k), "the store fills or runs empty");
+  if (!s.transport.empty()) leave_to_simulation("/transport", "parts are carried");
+  for (std::size_t k = 0; k < s.parts.size(); ++k) {
+    const scenarios::PartType& part = s.parts[k];
+    const std::string at = fmt::format("/parts/{}", k);
+    if (!std::holds_alternative<scenarios::Push>(part.release)) leave_to_simulation(at + "/release", "the release is held back");
+    if (part.tardiness_cost_per_min > 0) leave_to_simulation(at + "/tardiness_cost_per_min", "late parts cost");
+    if (part.batch_size > 1) leave_to_simulation(at + "/batch_size", "parts move in batches");
+    for (const scenarios::RouteStep& step : scenarios::route_of(s, part)) {
+      if (!step.assembles.empty() || !step.yields.empty()) leave_to_simulation(at + "/steps", "parts are put together or divided");
+      if (step.rework != scenarios::route_end) leave_to_simulation(at + "/steps", "parts are reworked");
+      if (step.next.size() > 1 && step.choice == scenarios::BranchChoice::shortest_queue)
+        leave_to_simulation(at + "/steps", "parts choose the shortest queue");
+    }
+  }
+}
+
+}  // namespace
+
 LongRunModel::LongRunModel(const scenarios::Scenario& scenario)
     : scenario_(scenario), cache_(std::make_unique<Cache>()) {
+  check_covered(scenario);
   for (const Operation& operation : scenario.operations) {
-    Cache::OperationAt at{position(scenario.machines, operation.machine), {}};
+    Cache::OperationAt at{scenarios::groups_of(scenario, operation).front(), {}};
     if (!operation.tool.empty()) at.tool = position(scenario.tools, operation.tool);
     cache_->operations.push_back(at);
   }
   for (const Tool& tool : scenario.tools)
-    cache_->tools.push_back(
-        {position(scenario.inserts, tool.insert), position(scenario.crews, tool.crew), {}});
+    cache_->tools.push_back({position(scenario.inserts, tool.insert), position(scenario.crews, tool.crew), {}});
   cache_->unlimited.resize(scenario.machines.size());
   for (std::size_t p = 0; p < scenario.parts.size(); ++p) {
-    auto& route = cache_->routes.emplace_back();
-    for (const std::string& name : scenario.parts[p].route)
-      route.push_back(position(scenario.operations, name));
-    const auto& supply = scenario.parts[p].supply;
-    if (std::holds_alternative<scenarios::AlwaysAvailable>(supply)) {
-      cache_->unlimited[cache_->operations[route.front()].machine].push_back(p);
-    } else if (!std::holds_alternative<scenarios::Interarrival>(supply)) {
-      throw InputError(fmt::format("/parts/{}/supply", p),
-                       fmt::format("/parts/{}/supply, is left to the simulation by the long-run model", p));
-    }
+    cache_->routes.push_back(scenarios::route_of(scenario, scenario.parts[p]));
+    if (!scenarios::arrival_rate_per_min(scenario, scenario.parts[p]))
+      cache_->unlimited[cache_->operations[cache_->routes[p].front().operation].machine].push_back(p);
   }
   (void)evaluate();  // says now what it does not cover
 }
@@ -167,9 +223,15 @@ LongRunModel::LongRunModel(const scenarios::Scenario& scenario)
 OperationCost LongRunModel::cost_of(std::size_t index, const operations::CutPlan& plan) const {
   const Cache::OperationAt& at = cache_->operations[index];
   const double machine_rate = scenario_.machines[at.machine].rate_per_min;
-  OperationCost cost{.cost_per_part = machine_rate * plan.main_time_min,
-                     .time_per_part_min = plan.main_time_min,
+  const Operation& operation = scenario_.operations[index];
+  const scenarios::Machine& machine = scenario_.machines[at.machine];
+  double handling_min = 0;
+  if (machine.loading) handling_min += scenarios::mean_min(*machine.loading);
+  if (machine.unloading) handling_min += scenarios::mean_min(*machine.unloading);
+  OperationCost cost{.cost_per_part = machine_rate * (plan.main_time_min + handling_min) + operation.cost,
+                     .time_per_part_min = plan.main_time_min + handling_min,
                      .survival = 1 - plan.scrap_probability};
+  if (operation.quality) cost.survival *= 1 - operation.quality->scrap_probability;
   if (!plan.edge || !at.tool) return cost;
   const Tool& tool = scenario_.tools[*at.tool];
   Cache::ToolAt& tool_at = cache_->tools[*at.tool];
@@ -204,9 +266,9 @@ OperationCost LongRunModel::cost_of(std::size_t index, const operations::CutPlan
   const double cost_per_min =
       (machine_rate + wage) * changing + rates.planned_per_min * (insert_planned + tool.regrind_planned) +
       rates.failures_per_min * (insert_failure + tool.regrind_failure + tool.failure_damage);
-  cost.cost_per_part = plan.main_time_min * (machine_rate + cost_per_min);
+  cost.cost_per_part += plan.main_time_min * cost_per_min;
   cost.changing_per_part_min = plan.main_time_min * changing;
-  cost.time_per_part_min = plan.main_time_min * (1 + changing);
+  cost.time_per_part_min += cost.changing_per_part_min;
   cost.crew_per_part_min = cost.changing_per_part_min;
   cost.failures_per_part = plan.main_time_min * rates.failures_per_min;
   cost.changes_per_part = plan.main_time_min * changes_per_min;
@@ -229,15 +291,14 @@ void LongRunModel::flow(LongRun& run) const {
   std::vector<std::vector<double>> in;  // parts per minute that come to step k of part type p
   for (std::size_t p = 0; p < c.routes.size(); ++p) {
     in.emplace_back(c.routes[p].size(), 0.0);
-    if (const auto* arrivals = std::get_if<scenarios::Interarrival>(&scenario_.parts[p].supply))
-      in[p][0] = 1 / scenarios::mean_min(arrivals->time);
+    in[p][0] = scenarios::arrival_rate_per_min(scenario_, scenario_.parts[p]).value_or(0);
   }
   const auto work = [&](std::size_t group) {
     double sum = 0;
     for (std::size_t p = 0; p < c.routes.size(); ++p)
       for (std::size_t k = 0; k < c.routes[p].size(); ++k)
-        if (c.operations[c.routes[p][k]].machine == group)
-          sum += in[p][k] * run.operations[c.routes[p][k]].time_per_part_min;
+        if (c.operations[c.routes[p][k].operation].machine == group)
+          sum += in[p][k] * run.operations[c.routes[p][k].operation].time_per_part_min;
     return sum;
   };
   std::vector<double> pace(groups, 1.0);  // share of the work that comes and is done
@@ -257,7 +318,7 @@ void LongRunModel::flow(LongRun& run) const {
         double own = 0;    // work of one blank of every type
         double first = 0;  // work of the blanks at their present rate
         for (const std::size_t p : c.unlimited[g]) {
-          const double time_min = run.operations[c.routes[p][0]].time_per_part_min;
+          const double time_min = run.operations[c.routes[p][0].operation].time_per_part_min;
           own += time_min;
           first += in[p][0] * time_min;
         }
@@ -267,11 +328,18 @@ void LongRunModel::flow(LongRun& run) const {
       const double load = work(g) / count;
       pace[g] = load > 1 + 1e-12 ? 1 / load : 1.0;
     }
-    for (std::size_t p = 0; p < c.routes.size(); ++p)
-      for (std::size_t k = 1; k < c.routes[p].size(); ++k) {
-        const std::size_t before = c.routes[p][k - 1];
-        set(in[p][k], in[p][k - 1] * pace[c.operations[before].machine] * run.operations[before].survival);
+    for (std::size_t p = 0; p < c.routes.size(); ++p) {
+      const scenarios::Route& route = c.routes[p];
+      // What leaves every step good, by branches; blanks come to the first step besides.
+      std::vector<double> comes(route.size(), 0.0);
+      for (std::size_t k = 0; k < route.size(); ++k) {
+        const std::size_t o = route[k].operation;
+        const double out = in[p][k] * pace[c.operations[o].machine] * run.operations[o].survival;
+        for (const scenarios::RouteBranch& branch : route[k].next)
+          if (branch.to != scenarios::route_end) comes[branch.to] += out * branch.probability;
       }
+      for (std::size_t k = 1; k < route.size(); ++k) set(in[p][k], comes[k]);
+    }
     if (moved < 1e-13) break;
   }
 
@@ -281,18 +349,24 @@ void LongRunModel::flow(LongRun& run) const {
   double scrap_cost = 0;  // per minute
   for (std::size_t p = 0; p < c.routes.size(); ++p)
     for (std::size_t k = 0; k < c.routes[p].size(); ++k) {
-      const std::size_t o = c.routes[p][k];
+      const std::size_t o = c.routes[p][k].operation;
       const double done = in[p][k] * pace[c.operations[o].machine];
       run.operation_rate_per_min[o] += done;
       const double survival = run.operations[o].survival;
-      finished += done * (k + 1 == c.routes[p].size() ? 1.0 : 1 - survival);
-      if (k + 1 == c.routes[p].size()) good += done * survival;
+      double ends = 0;
+      for (const scenarios::RouteBranch& branch : c.routes[p][k].next)
+        if (branch.to == scenarios::route_end) ends += branch.probability;
+      finished += ends == 1 ? done : done * (1 - survival + survival * ends);
+      good += done * survival * ends;
       // Per failure, as K117 books it, and per part that the process itself spoils.
-      const double tool_scrap = c.operations[o].tool
-                                    ? run.operations[o].failures_per_part *
-                                          scenario_.tools[*c.operations[o].tool].failure_scrap_probability
-                                    : 0;
-      scrap_cost += done * scenario_.parts[p].value * (tool_scrap + run.plans[o].scrap_probability);
+      const double tool_scrap =
+          c.operations[o].tool ? run.operations[o].failures_per_part *
+                                     scenario_.tools[*c.operations[o].tool].failure_scrap_probability
+                               : 0;
+      const auto& quality = scenario_.operations[o].quality;
+      const double process_scrap =
+          1 - (1 - run.plans[o].scrap_probability) * (quality ? 1 - quality->scrap_probability : 1.0);
+      scrap_cost += done * scenario_.parts[p].value * (tool_scrap + process_scrap);
     }
   run.machines.assign(groups, {});
   double idle_cost = 0;  // per minute

@@ -45,7 +45,9 @@ struct LongRun {
 /// Renewal-reward model of the whole shop: every operation's edges are renewed as its tool's strategy says
 /// (K117 section E, with inserts of n edges, doubtful reserve edges and different times of indexing and
 /// replacing); parts flow through their routes, leave them when scrapped, and no group does more than it can.
-/// Every machine minute costs, idle ones too. Not in it: waiting for crews, starving.
+/// Every machine minute costs, idle ones too. Not in it: waiting for crews, starving. Shops with machine
+/// failures, maintenance, set-ups, calendars, operators, transport, rework, inspection, batches, blocking or
+/// late costs are refused by name: their long run is left to the simulation.
 ///
 /// Breakage besides wear is a second, exponential cause of failure (approximation: it strikes within the part
 /// rather than at its end). Blanks that are always available load the group of their first operation fully,
