@@ -47,9 +47,10 @@ std::vector<Loss> losses_of(const scenarios::Scenario& s) {
                      "failure",
                      {{fmt::format("{}/failures/{}/time_to_failure", at, f), never}}});
     for (std::size_t k = 0; k < machine.maintenance.size(); ++k)
-      all.push_back({fmt::format("time of {} of {}", machine.maintenance[k].name, machine.name),
-                     "change",
-                     {{fmt::format("{}/maintenance/{}/duration", at, k), {{"kind", "constant"}, {"value_min", 0.0}}}}});
+      all.push_back(
+          {fmt::format("time of {} of {}", machine.maintenance[k].name, machine.name),
+           "change",
+           {{fmt::format("{}/maintenance/{}/duration", at, k), {{"kind", "constant"}, {"value_min", 0.0}}}}});
     if (machine.setup) all.push_back({"setting up " + machine.name, "change", {{at + "/setup", nullptr}}});
   }
   for (std::size_t o = 0; o < s.operations.size(); ++o) {

@@ -16,7 +16,8 @@ struct Loss {
 };
 
 /// The losses that a scenario states and that a change of its numbers can remove:
-///   failure  an edge that fails costs no more time, damage or parts than a planned change; a machine does not
+///   failure  an edge that fails costs no more time, damage or parts than a planned change; a machine does
+///   not
 ///            fail in one of its modes
 ///   change   indexing, replacing and positioning take no time; nor does a maintenance or a set-up
 ///   scrap    failures of a tool's edges spoil no part; an operation spoils none

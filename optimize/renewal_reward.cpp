@@ -143,7 +143,8 @@ LongRunModel::~LongRunModel() = default;
 namespace {
 
 [[noreturn]] void leave_to_simulation(const std::string& pointer, const std::string& why) {
-  throw InputError(pointer, fmt::format("{}: {}, which the long-run model leaves to the simulation", pointer, why));
+  throw InputError(pointer,
+                   fmt::format("{}: {}, which the long-run model leaves to the simulation", pointer, why));
 }
 
 // What stops, blocks or hurries a shop in ways that only a simulation tells.
@@ -159,13 +160,15 @@ void check_covered(const scenarios::Scenario& s) {
     if (m.queue_capacity) leave_to_simulation(at + "/queue_capacity", "a full queue blocks");
     if (m.switch_off) leave_to_simulation(at + "/switch_off", "the machine is switched off");
     const scenarios::Power& power = m.power;
-    if (s.energy_price_per_kwh > 0 && power.cutting_kw + power.working_kw + power.standby_kw + power.off_kw > 0)
+    if (s.energy_price_per_kwh > 0 &&
+        power.cutting_kw + power.working_kw + power.standby_kw + power.off_kw > 0)
       leave_to_simulation(at + "/power", "energy is paid for");
   }
   for (std::size_t k = 0; k < s.operations.size(); ++k) {
     const Operation& o = s.operations[k];
     const std::string at = fmt::format("/operations/{}", k);
-    if (scenarios::groups_of(s, o).size() > 1) leave_to_simulation(at, "several machine groups share the operation");
+    if (scenarios::groups_of(s, o).size() > 1)
+      leave_to_simulation(at, "several machine groups share the operation");
     if (o.inspection) leave_to_simulation(at + "/inspection", "parts are inspected");
     if (o.quality && (o.quality->defect_probability > 0 || o.quality->defect_when_worn > 0))
       leave_to_simulation(at + "/quality", "defects stay hidden");
@@ -187,11 +190,14 @@ void check_covered(const scenarios::Scenario& s) {
   for (std::size_t k = 0; k < s.parts.size(); ++k) {
     const scenarios::PartType& part = s.parts[k];
     const std::string at = fmt::format("/parts/{}", k);
-    if (!std::holds_alternative<scenarios::Push>(part.release)) leave_to_simulation(at + "/release", "the release is held back");
-    if (part.tardiness_cost_per_min > 0) leave_to_simulation(at + "/tardiness_cost_per_min", "late parts cost");
+    if (!std::holds_alternative<scenarios::Push>(part.release))
+      leave_to_simulation(at + "/release", "the release is held back");
+    if (part.tardiness_cost_per_min > 0)
+      leave_to_simulation(at + "/tardiness_cost_per_min", "late parts cost");
     if (part.batch_size > 1) leave_to_simulation(at + "/batch_size", "parts move in batches");
     for (const scenarios::RouteStep& step : scenarios::route_of(s, part)) {
-      if (!step.assembles.empty() || !step.yields.empty()) leave_to_simulation(at + "/steps", "parts are put together or divided");
+      if (!step.assembles.empty() || !step.yields.empty())
+        leave_to_simulation(at + "/steps", "parts are put together or divided");
       if (step.rework != scenarios::route_end) leave_to_simulation(at + "/steps", "parts are reworked");
       if (step.next.size() > 1 && step.choice == scenarios::BranchChoice::shortest_queue)
         leave_to_simulation(at + "/steps", "parts choose the shortest queue");
@@ -210,7 +216,8 @@ LongRunModel::LongRunModel(const scenarios::Scenario& scenario)
     cache_->operations.push_back(at);
   }
   for (const Tool& tool : scenario.tools)
-    cache_->tools.push_back({position(scenario.inserts, tool.insert), position(scenario.crews, tool.crew), {}});
+    cache_->tools.push_back(
+        {position(scenario.inserts, tool.insert), position(scenario.crews, tool.crew), {}});
   cache_->unlimited.resize(scenario.machines.size());
   for (std::size_t p = 0; p < scenario.parts.size(); ++p) {
     cache_->routes.push_back(scenarios::route_of(scenario, scenario.parts[p]));
@@ -359,10 +366,10 @@ void LongRunModel::flow(LongRun& run) const {
       finished += ends == 1 ? done : done * (1 - survival + survival * ends);
       good += done * survival * ends;
       // Per failure, as K117 books it, and per part that the process itself spoils.
-      const double tool_scrap =
-          c.operations[o].tool ? run.operations[o].failures_per_part *
-                                     scenario_.tools[*c.operations[o].tool].failure_scrap_probability
-                               : 0;
+      const double tool_scrap = c.operations[o].tool
+                                    ? run.operations[o].failures_per_part *
+                                          scenario_.tools[*c.operations[o].tool].failure_scrap_probability
+                                    : 0;
       const auto& quality = scenario_.operations[o].quality;
       const double process_scrap =
           1 - (1 - run.plans[o].scrap_probability) * (quality ? 1 - quality->scrap_probability : 1.0);
