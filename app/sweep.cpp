@@ -260,7 +260,7 @@ void sweep(SweepCommand& c) {
     result["factors"].push_back({{"pointer", f.pointer}, {"low", f.at(-1)}, {"high", f.at(1)}});
   for (std::size_t p = 0; p < points; ++p) {
     ordered_json row = {{"values", ordered_json::array()}};
-    for (const auto& change : at[p]) row["values"].push_back(change.value);
+    for (const auto& change : at[p]) row["values"].push_back(ordered_json(change.value));
     for (std::size_t k = 0; k < c.kpis.size(); ++k) {
       std::vector<std::optional<double>> values;
       for (const double v : responses[k][p])

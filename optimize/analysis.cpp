@@ -131,8 +131,9 @@ std::vector<Sensitivity> sensitivities(const Problem& problem, const std::vector
       in_world({{input.pointer, 1 - input.relative}}, s.objective_low, s.regret_low, s.x_low);
       in_world({{input.pointer, 1 + input.relative}}, s.objective_high, s.regret_high, s.x_high);
     } catch (const models::DomainError&) {
-      if (!study.uncertain.empty()) throw;
-      continue;  // this shop's input cannot be moved so far
+      continue;  // the input cannot be moved so far
+    } catch (const models::ModelError&) {
+      continue;
     }
     if (!std::isfinite(s.objective_low) || !std::isfinite(s.objective_high)) continue;
     const double moved = std::max(std::abs(s.objective_low - nominal), std::abs(s.objective_high - nominal));

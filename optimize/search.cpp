@@ -33,6 +33,8 @@ class Search {
     if (n < 2 && algorithm == nlopt::LN_NEWUOA_BOUND) algorithm = nlopt::LN_SBPLX;  // needs two
     budget_ = std::min(options_.max_evaluations, result_.evaluations + evaluations);
     std::vector<double> u = scaled(start);
+    start_u_ = u;
+    start_x_ = start;
     // The first point is measured before NLopt starts: it says how many constraints there are.
     std::size_t margins = 0;
     try {
@@ -150,7 +152,9 @@ class Search {
     std::vector<double> x(u.size());
     for (std::size_t k = 0; k < u.size(); ++k) {
       const Bounds& b = bounds_[k];
-      x[k] = std::clamp(b.low + std::clamp(u[k], 0.0, 1.0) * (b.high - b.low), b.low, b.high);
+      // The start itself, bit for bit: it may have been measured before.
+      x[k] = u == start_u_ ? std::clamp(start_x_[k], b.low, b.high)
+                           : std::clamp(b.low + std::clamp(u[k], 0.0, 1.0) * (b.high - b.low), b.low, b.high);
     }
     Known known{u, {}};
     try {
@@ -192,6 +196,8 @@ class Search {
   const SearchOptions& options_;
   SearchResult result_;
   std::vector<Known> known_;
+  std::vector<double> start_u_;
+  std::vector<double> start_x_;
   std::exception_ptr error_;
   double worst_ = 0;
   double scale_ = 0;

