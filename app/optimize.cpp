@@ -230,6 +230,14 @@ int optimize_study(OptimizeOptions& options) {
       const auto best = optimize::changes_at(study.variables, answer.best->x);
       made.insert(made.end(), best.begin(), best.end());
       findings.confirmation = optimize::confirm(study, std::move(today), run(false, made));
+      // What today's plan owes by simulation, too.
+      for (const auto& c : problem->conditions()) {
+        if (c.kind != optimize::Condition::Kind::kpi) continue;
+        const auto k = findings.confirmation->baseline.index_of(c.item);
+        if (!k || !findings.confirmation->baseline.estimates[*k].mean) continue;
+        const double mean = *findings.confirmation->baseline.estimates[*k].mean;
+        if (c.at_most ? mean > c.allowed : mean < c.allowed) answer.baseline_feasible = false;
+      }
       analyse(*problem, findings);
     } catch (const optimize::Interrupted& why) {
       answer.interrupted = why.what();

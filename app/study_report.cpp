@@ -35,13 +35,13 @@ std::string called(const std::string& kpi) {
 }
 
 std::string words_of(const StudyFindings& f) {
+  if (!f.answer.interrupted.empty())
+    return fmt::format(
+        "Ended early ({}) after {} trials; {}. It goes on with --resume {}.", f.answer.interrupted, f.trials,
+        f.answer.best ? "the best so far is not confirmed" : "no feasible plan was found so far", f.id);
   if (!f.answer.best)
     return f.nearest_miss.empty() ? "No feasible plan was found."
                                   : "No feasible plan was found: " + f.nearest_miss + ".";
-  if (!f.answer.interrupted.empty())
-    return fmt::format(
-        "Ended early ({}) after {} trials; the best so far is not confirmed. It goes on with --resume {}.",
-        f.answer.interrupted, f.trials, f.id);
   if (!f.confirmation) return "The best plan was not confirmed by simulation.";
   const auto kpi = *f.confirmation->baseline.index_of(f.study.objective.kpi);
   const auto base = f.confirmation->baseline.estimates[kpi].mean;
@@ -67,6 +67,7 @@ std::string words_of(const StudyFindings& f) {
                         what, std::abs(percent), percent_half, up ? "higher" : "lower", std::abs(*saving),
                         *half, *base, f.confirmation->baseline.kpis[kpi].unit);
   }
+  if (!f.answer.baseline_feasible) words += " Today's plan does not meet the constraints.";
   if (f.answer.choice) {
     const Choice& c = *f.answer.choice;
     if (c.finalists.size() > 1 && c.decided)
@@ -149,10 +150,12 @@ ordered_json to_json(const StudyFindings& f) {
     j["saving"] = {{"mean", number_or_null(f.confirmation->saving.mean)},
                    {"half_width", number_or_null(f.confirmation->saving.half_width)},
                    {"confidence", study.confirmation.confidence}};
-  j["verdict"] = !f.answer.best ? "infeasible"
-                                : (!f.answer.interrupted.empty()
-                                       ? "interrupted"
-                                       : (f.confirmation ? f.confirmation->verdict : "not confirmed"));
+  if (!f.answer.interrupted.empty())
+    j["verdict"] = "interrupted";
+  else if (!f.answer.best)
+    j["verdict"] = "infeasible";
+  else
+    j["verdict"] = f.confirmation ? f.confirmation->verdict : "not confirmed";
   j["words"] = words_of(f);
   if (!f.answer.interrupted.empty()) j["interrupted"] = f.answer.interrupted;
   if (!f.answer.not_covered.empty()) j["simulation_only"] = f.answer.not_covered;
@@ -268,8 +271,8 @@ void print_findings(const ordered_json& r) {
   if (r.contains("binding")) {
     fmt::print("\nwhat holds the plan back\n");
     for (const auto& b : r["binding"])
-      fmt::print("  {:<44} {:>10.6g} of {:<10.6g} {}\n", b["words"].get<std::string>(),
-                 b["value"].get<double>(), b["allowed"].get<double>(), b["unit"].get<std::string>());
+      fmt::print("  {}: {:.6g} of {:.6g}; {}\n", b["name"].get<std::string>(), b["value"].get<double>(),
+                 b["allowed"].get<double>(), b["words"].get<std::string>());
   }
   if (r.contains("one_cut")) {
     fmt::print("\n{:<28} {:>12} {:>12} {:>12}  one cut against the shop, m/min\n", "operation", "least cost",

@@ -327,6 +327,9 @@ class MixedSearch {
     if (settings_ <= cheap) {
       enumerate(start);
     } else {
+      // Set aside for the end: the plan that wins is searched with full precision.
+      if (!continuous_.empty())
+        reserve_ = std::min(options_.max_evaluations / 5, 200 * static_cast<int>(bounds_.size()));
       descend(start);
       for (int k = 0; k < options_.starts && left() > 0; ++k) {
         std::vector<Bounds> box;
@@ -337,16 +340,18 @@ class MixedSearch {
       }
       // What one change at a time does not reach, two may.
       descend(best_.x, true);
+      reserve_ = 0;
+      if (!continuous_.empty()) (void)solve(best_.x, left(), false, true);
     }
     best_.evaluations = used_;
     return best_;
   }
 
  private:
-  [[nodiscard]] int left() const { return options_.max_evaluations - used_; }
+  [[nodiscard]] int left() const { return options_.max_evaluations - used_ - reserve_; }
 
   // The best continuous coordinates at the discrete ones of `x`. `evaluations` at most.
-  SearchResult solve(const std::vector<double>& x, int evaluations, bool global) {
+  SearchResult solve(const std::vector<double>& x, int evaluations, bool global, bool precise = false) {
     SearchResult found;
     evaluations = std::min(evaluations, left());
     if (evaluations < 1) {
@@ -362,7 +367,7 @@ class MixedSearch {
       inner.global = global && options_.global;
       if (!inner.global) {
         inner.algorithm.clear();
-        inner.relative_precision = std::max(inner.relative_precision, 1e-6);
+        if (!precise) inner.relative_precision = std::max(inner.relative_precision, 1e-6);
       }
       std::vector<double> start;
       for (const std::size_t c : continuous_) start.push_back(x[c]);
@@ -457,7 +462,7 @@ class MixedSearch {
         if (better(looks.back(), best_)) best_ = looks.back();
       }
       std::stable_sort(looks.begin(), looks.end(), better);
-      const std::size_t tries = pairs ? std::min<std::size_t>(4, looks.size()) : looks.size();
+      const std::size_t tries = std::min<std::size_t>(pairs ? 4 : 8, looks.size());
       for (std::size_t k = 0; k < tries && left() > 0; ++k) {
         const SearchResult there = continuous_.empty() ? looks[k] : solve(looks[k].x, share, false);
         if (!better(there, here)) continue;
@@ -466,7 +471,6 @@ class MixedSearch {
         break;
       }
     }
-    if (!continuous_.empty() && left() > 0) (void)solve(best_.x, share, false);
   }
 
   const Measure& measure_;
@@ -478,6 +482,7 @@ class MixedSearch {
   double settings_ = 1;
   SearchResult best_;
   int used_ = 0;
+  int reserve_ = 0;
 };
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -50,6 +51,8 @@ class Run {
       stages();
     } catch (const Interrupted& why) {
       answer_.interrupted = why.what();
+      // Before stage two has judged anything, the best of stage one stands.
+      if (!answer_.best && answer_.analytic && answer_.analytic->feasible) answer_.best = answer_.analytic;
     }
     return std::move(answer_);
   }
@@ -125,10 +128,11 @@ class Run {
     });
     ManyMeasured m{{outcome.begin(), outcome.begin() + static_cast<std::ptrdiff_t>(objectives)},
                    {outcome.begin() + static_cast<std::ptrdiff_t>(objectives), outcome.end()}};
-    ++asked_;
-    const Measured first{m.objectives[0], m.margins};
-    note(x, first, "analytic");
-    report(objectives > 1 ? "front" : "analytic", asked_, study_.search.max_evaluations);
+    if (!simulating_) {
+      ++asked_;
+      note(x, {m.objectives[0], m.margins}, "analytic");
+    }
+    if (!simulating_) report(objectives > 1 ? "front" : "analytic", asked_, study_.search.max_evaluations);
     return m;
   }
 
@@ -166,6 +170,7 @@ class Run {
     if (study_.simulation.trials > 0) {
       answer_.best.reset();  // what the long run believed is judged again
       incumbent_ = {};
+      simulating_ = true;
       refine_and_choose(starts);
     }
   }
@@ -231,10 +236,87 @@ class Run {
     return p;
   }
 
-  void refine_and_choose(const std::vector<std::vector<double>>& starts) {
+  // The long run solved again with what simulation adds to it: at every plan it proposes the difference
+  // between simulation and long run, of the objective and of every simulated constraint, is taken over for
+  // all plans with the same discrete settings (output space mapping: Bandler et al., IEEE Trans. MTT 52
+  // (2004) 337). A setting not simulated yet is believed as the long run has it, and so is tried when it
+  // might pay. Few simulations bring the start of stage two to the right side of its constraints. Returns the
+  // plans proposed, best first.
+  std::vector<std::vector<double>> correct_long_run(const NoisyProblem& problem, std::vector<double> start) {
+    struct Correction {
+      double objective = 0;
+      std::vector<double> margins;
+    };
+    std::map<std::vector<double>, Correction> corrections;
+    const auto settings_of = [&](const std::vector<double>& x) {
+      std::vector<double> key;
+      for (std::size_t k = 0; k < x.size(); ++k)
+        if (problem_.dimensions()[k].discrete) key.push_back(x[k]);
+      return key;
+    };
+    const auto corrected = [&](const std::vector<double>& x) {
+      const ManyMeasured m = analytic(x);
+      Measured one{m.objectives[0], m.margins};
+      const auto known = corrections.find(settings_of(x));
+      if (known == corrections.end()) return one;
+      one.value += known->second.objective;
+      for (std::size_t k = 0; k < one.margins.size(); ++k) one.margins[k] += known->second.margins[k];
+      return one;
+    };
+    const std::int64_t n0 = study_.simulation.first_replications;
+    std::vector<SearchResult> proposed;
+    std::vector<double> x = std::move(start);
+    constexpr int most_rounds = 10;
+    for (int round = 0; round < most_rounds; ++round) {
+      // In the blocks in which the refinement asks, so that its questions are answered already.
+      Rows rows = problem.sample(x, 0, n0);
+      for (std::int64_t level = 1; level < study_.simulation.levels; ++level) {
+        const auto have = static_cast<std::int64_t>(rows.size());
+        const Rows more = problem.sample(x, have, have);
+        rows.insert(rows.end(), more.begin(), more.end());
+      }
+      SearchResult now{.x = x, .measured = judge(problem, rows, x)};
+      now.feasible = violation(now.measured) == 0;
+      proposed.push_back(now);
+      const ManyMeasured believed = analytic(x);
+      Correction c{.objective = now.measured.value - believed.objectives[0],
+                   .margins = std::vector<double>(believed.margins.size(), 0.0)};
+      if (!std::isfinite(c.objective)) break;
+      std::size_t noisy_constraint = 0;
+      for (std::size_t k = 0; k < c.margins.size(); ++k)
+        if (problem_.conditions()[k].kind == Condition::Kind::kpi)
+          c.margins[k] = now.measured.margins[noisy_constraint++] - believed.margins[k];
+      corrections[settings_of(x)] = c;
+      SearchOptions search = search_options(study_, seed_);
+      search.max_evaluations = std::max(200, search.max_evaluations / 4);
+      std::vector<double> next = minimize_mixed(corrected, problem_.dimensions(), x, search).x;
+      const bool same = std::any_of(proposed.begin(), proposed.end(), [&](const SearchResult& p) {
+        bool close = settings_of(p.x) == settings_of(next);
+        for (std::size_t k = 0; close && k < next.size(); ++k) {
+          const Bounds& b = problem_.dimensions()[k].bounds;
+          close = std::abs(p.x[k] - next[k]) <= 1e-4 * (b.high - b.low);
+        }
+        return close;
+      });
+      if (same) break;
+      x = std::move(next);
+    }
+    std::stable_sort(proposed.begin(), proposed.end(), better);
+    std::vector<std::vector<double>> points;
+    for (const SearchResult& p : proposed) points.push_back(p.x);
+    return points;
+  }
+
+  void refine_and_choose(std::vector<std::vector<double>> starts) {
     asked_ = 0;
     const NoisyProblem problem = noisy();
-    const Refined refined = refine(problem, starts,
+    if (covered() && samples_.empty()) {
+      starts = correct_long_run(problem, starts.front());
+    }
+    const std::size_t most_starts = 2;
+    std::vector<std::vector<double>> from(
+        starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(std::min(starts.size(), most_starts)));
+    const Refined refined = refine(problem, from,
                                    {.trials = study_.simulation.trials,
                                     .first_replications = study_.simulation.first_replications,
                                     .levels = study_.simulation.levels,
@@ -414,6 +496,7 @@ class Run {
   StudyAnswer answer_;
   SearchResult incumbent_;
   std::int64_t asked_ = 0;
+  bool simulating_ = false;  // stage one is over
 };
 
 }  // namespace

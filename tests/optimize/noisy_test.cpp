@@ -148,5 +148,5 @@ TEST_CASE("verdicts: less, more and unchanged are rarely wrong, whatever the num
   CHECK(none[at(Verdict::less)] + none[at(Verdict::more)] <= 30);
   CHECK(verdicts(-3, 0.0005)[at(Verdict::less)] == 300);
   CHECK(verdicts(3, 0.0005)[at(Verdict::more)] == 300);
-  CHECK(verdicts(0.05, 0.01)[at(Verdict::unchanged)] >= 295);
+  CHECK(verdicts(0.05, 0.01)[at(Verdict::unchanged)] >= 285);
 }
