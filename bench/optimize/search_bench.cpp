@@ -112,9 +112,8 @@ void joint_optimum_of_one_operation(benchmark::State& state) {
 }
 BENCHMARK(joint_optimum_of_one_operation)->Unit(benchmark::kMillisecond);
 
-// Six operations of the heavy lathe on six machine groups, each with its own tool: speed and reliability
-// level of each, edges of four inserts. The promise: under 2 s. Operations do not influence each other here,
-// so that the optimum is known: six times that of one operation, with the best number of edges each.
+// Six operations of the heavy lathe on six machine groups, each with its own tool: speed and reliability level of
+// each, edges of four inserts. The slowest sets the pace of all. The promise: under 2 s.
 struct Shop {
   json scenario;
   json study;
