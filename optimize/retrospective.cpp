@@ -38,6 +38,18 @@ Measured judge(const NoisyProblem& problem, const Rows& rows, const std::vector<
   return m;
 }
 
+std::vector<double> confidence_allowances(const NoisyProblem& problem, const Rows& rows) {
+  std::vector<double> all;
+  for (const NoisyConstraint& c : problem.constraints) {
+    sim::Tally t;
+    for (const auto& row : rows)
+      if (std::isfinite(row[c.column])) t.add(row[c.column]);
+    const double scale = c.allowed != 0 ? std::abs(c.allowed) : 1;
+    all.push_back(t.count() < 2 ? 0 : sim::confidence_interval(t, 2 * c.confidence - 1).half_width / scale);
+  }
+  return all;
+}
+
 Refined refine(const NoisyProblem& problem, const std::vector<std::vector<double>>& starts,
                const RefineOptions& options) {
   std::map<std::vector<double>, Rows> samples;
@@ -79,6 +91,7 @@ Refined refine(const NoisyProblem& problem, const std::vector<std::vector<double
                            .relative_precision = 1e-3,
                            .starts = 0,
                            .global = false,
+                           .differences = false,
                            .seed = options.seed};
       SearchResult best =
           minimize_mixed([&](const std::vector<double>& x) { return at(x, n); }, box, start, search);

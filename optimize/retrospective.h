@@ -36,6 +36,10 @@ struct NoisyProblem {
 /// the confidence limit of the mean relative to the allowed value. Fewer than two values: undefined.
 [[nodiscard]] Measured judge(const NoisyProblem& problem, const Rows& rows, const std::vector<double>& x);
 
+/// What the confidence of each noisy constraint costs on this sample: the distance of the confidence limit
+/// from the mean, relative to the allowed value.
+[[nodiscard]] std::vector<double> confidence_allowances(const NoisyProblem& problem, const Rows& rows);
+
 struct RefineOptions {
   std::int64_t trials = 60;  ///< points looked at, over all levels
   std::int64_t first_replications = 5;

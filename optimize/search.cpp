@@ -144,7 +144,9 @@ class Search {
   }
 
   // The point measured, once: objective, constraints and differences of one point share it.
-  const Measured& at(const std::vector<double>& u) {
+  const Measured& at(const std::vector<double>& asked) {
+    // Some algorithms rescale what they are given: the start comes back with another last bit.
+    const std::vector<double>& u = is_start(asked) ? start_u_ : asked;
     for (std::size_t k = known_.size(); k-- > 0;)
       if (known_[k].u == u) return known_[k].measured;
     // Some algorithms overshoot maxeval or go on after an error: nothing more is computed then.
@@ -180,6 +182,12 @@ class Search {
     if (known_.size() >= memory) known_.erase(known_.begin());
     known_.push_back(std::move(known));
     return known_.back().measured;
+  }
+
+  [[nodiscard]] bool is_start(const std::vector<double>& u) const {
+    for (std::size_t k = 0; k < u.size(); ++k)
+      if (!(std::abs(u[k] - start_u_[k]) < 1e-13)) return false;
+    return true;
   }
 
   [[nodiscard]] std::vector<double> scaled(const std::vector<double>& x) const {
@@ -281,7 +289,7 @@ SearchResult minimize(const Measure& measure, const std::vector<Bounds>& bounds,
   const auto polish = [&] {
     const std::vector<double> from = search.result().x;
     search.run(local, from, share, precision);
-    if (constrained) search.run(nlopt::LD_SLSQP, search.result().x, share, precision);
+    if (constrained && options.differences) search.run(nlopt::LD_SLSQP, search.result().x, share, precision);
   };
   polish();
   if (options.global) {

@@ -41,6 +41,7 @@ struct SearchOptions {
   double relative_precision = 1e-8;  ///< of the variables, relative to their bounds
   int starts = 2;                    ///< scattered points, when `algorithm` is empty
   bool global = true;                ///< false: local search from the start alone
+  bool differences = true;           ///< false: the default finishes without SLSQP (noisy or dear measures)
   std::uint64_t seed = 1;
 };
 

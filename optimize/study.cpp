@@ -282,10 +282,16 @@ class Run {
       Correction c{.objective = now.measured.value - believed.objectives[0],
                    .margins = std::vector<double>(believed.margins.size(), 0.0)};
       if (!std::isfinite(c.objective)) break;
+      // A third of the allowance for noise on top, so that the plan keeps its constraints on other samples,
+      // too.
+      const std::vector<double> allowances = confidence_allowances(problem, rows);
       std::size_t noisy_constraint = 0;
       for (std::size_t k = 0; k < c.margins.size(); ++k)
-        if (problem_.conditions()[k].kind == Condition::Kind::kpi)
-          c.margins[k] = now.measured.margins[noisy_constraint++] - believed.margins[k];
+        if (problem_.conditions()[k].kind == Condition::Kind::kpi) {
+          c.margins[k] =
+              now.measured.margins[noisy_constraint] - believed.margins[k] - allowances[noisy_constraint] / 3;
+          ++noisy_constraint;
+        }
       corrections[settings_of(x)] = c;
       SearchOptions search = search_options(study_, seed_);
       search.max_evaluations = std::max(200, search.max_evaluations / 4);
