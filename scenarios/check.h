@@ -48,6 +48,8 @@ void check_machine(const Scenario& s, const Machine& machine, const std::string&
 void check_crew(const Scenario& s, const Crew& crew, const std::string& at);
 void check_calendar(const Calendar& calendar, const std::string& at);
 void check_spare(const Spare& spare, const std::string& at);
+/// Vehicles find a way between all places that they serve.
+void check_layout(const Scenario& s);
 /// Refuses a shop whose machines cannot keep up with the demand, unless it says that it knows.
 void check_capacity(const Scenario& s);
 /// The name must be that of a crew, or a skill that some crew has.

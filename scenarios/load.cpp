@@ -160,6 +160,7 @@ void check_whole(const Scenario& s) {
     if (!busy[k])
       fail(fmt::format("/machines/{}/name", k), quoted(s.machines[k].name),
            "has no operation to do: no operation names it");
+  check_layout(s);
   check_capacity(s);
 }
 

@@ -2,8 +2,6 @@
 #include <algorithm>
 #include <limits>
 
-#include <boost/graph/adjacency_list.hpp>
-#include <boost/graph/dijkstra_shortest_paths.hpp>
 #include <fmt/format.h>
 
 #include "sim/shop/shop_parts.h"
@@ -48,31 +46,6 @@ std::vector<double> work_left(const scenarios::Route& route, const std::vector<d
     if (change < 1e-9) break;
   }
   return left;
-}
-
-std::vector<std::vector<double>> shortest_ways(const std::vector<scenarios::LayoutEdge>& layout,
-                                               std::vector<std::string>& places) {
-  for (const scenarios::LayoutEdge& edge : layout) {
-    intern(places, edge.from);
-    intern(places, edge.to);
-  }
-  using Graph = boost::adjacency_list<boost::vecS, boost::vecS, boost::directedS, boost::no_property,
-                                      boost::property<boost::edge_weight_t, double>>;
-  Graph graph(places.size());
-  for (const scenarios::LayoutEdge& edge : layout) {
-    const std::size_t from = intern(places, edge.from);
-    const std::size_t to = intern(places, edge.to);
-    boost::add_edge(from, to, edge.length_m, graph);
-    if (!edge.one_way) boost::add_edge(to, from, edge.length_m, graph);
-  }
-  std::vector<std::vector<double>> length(places.size());
-  for (std::size_t from = 0; from < places.size(); ++from) {
-    length[from].assign(places.size(), std::numeric_limits<double>::infinity());
-    boost::dijkstra_shortest_paths(
-        graph, from,
-        boost::distance_map(length[from].data()).distance_inf(std::numeric_limits<double>::infinity()));
-  }
-  return length;
 }
 
 }  // namespace
@@ -204,8 +177,7 @@ void Shop::build_flow() {
     if (const auto* delay = std::get_if<scenarios::TransportDelay>(&transport.carrier))
       carrier.time = law_of(delay->time);
     if (const auto* vehicles = std::get_if<scenarios::Vehicles>(&transport.carrier)) {
-      Fleet fleet;
-      fleet.length_m = shortest_ways(scenario_.layout, fleet.places);
+      Fleet fleet{.layout = scenarios::layout_of(scenario_.layout)};
       fleet.vehicles.assign(static_cast<std::size_t>(vehicles->count), Fleet::Vehicle{.at = 0});
       if (!vehicles->crew.empty()) fleet.crews = labour_->crews_for(vehicles->crew);
       carrier.fleet = std::move(fleet);

@@ -358,13 +358,9 @@ sim::Task<void> Shop::carry(Job& job, Carrier& carrier, std::size_t from, Place 
   } else {
     const auto& vehicles = std::get<scenarios::Vehicles>(carrier.spec->carrier);
     Fleet& fleet = *carrier.fleet;
-    const auto place_of = [&](const std::string& name) {
-      return static_cast<std::size_t>(std::find(fleet.places.begin(), fleet.places.end(), name) -
-                                      fleet.places.begin());
-    };
-    const std::size_t pick_up = place_of(groups_[from]->spec->name);
-    const std::size_t set_down =
-        place_of(to.store != route_end ? stores_[to.store]->spec->name : groups_[to.group]->spec->name);
+    const std::size_t pick_up = *fleet.layout.find(groups_[from]->spec->name);
+    const std::size_t set_down = *fleet.layout.find(to.store != route_end ? stores_[to.store]->spec->name
+                                                                          : groups_[to.group]->spec->name);
     co_await carrier.room.wait_until([&] {
       return std::any_of(fleet.vehicles.begin(), fleet.vehicles.end(), [](const auto& v) { return v.free; });
     });
@@ -372,15 +368,15 @@ sim::Task<void> Shop::carry(Job& job, Carrier& carrier, std::size_t from, Place 
     std::size_t chosen = fleet.vehicles.size();
     for (std::size_t v = 0; v < fleet.vehicles.size(); ++v) {
       if (!fleet.vehicles[v].free) continue;
-      if (chosen == fleet.vehicles.size() ||
-          fleet.length_m[fleet.vehicles[v].at][pick_up] < fleet.length_m[fleet.vehicles[chosen].at][pick_up])
+      if (chosen == fleet.vehicles.size() || fleet.layout.length_m[fleet.vehicles[v].at][pick_up] <
+                                                 fleet.layout.length_m[fleet.vehicles[chosen].at][pick_up])
         chosen = v;
     }
     fleet.vehicles[chosen].free = false;
     CrewHold driver;
     if (!fleet.crews.empty()) driver = co_await labour_->call(fleet.crews, 0, Cost::transport);
     const double way_m =
-        fleet.length_m[fleet.vehicles[chosen].at][pick_up] + fleet.length_m[pick_up][set_down];
+        fleet.layout.length_m[fleet.vehicles[chosen].at][pick_up] + fleet.layout.length_m[pick_up][set_down];
     const double time_min = way_m / vehicles.speed_m_min + vehicles.pick_up_min + vehicles.set_down_min;
     co_await sim_.delay(time_min);
     carrier.busy_min += time_min;

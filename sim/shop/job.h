@@ -31,6 +31,7 @@ struct Job {
   std::uint64_t number = 0;       ///< in order of arrival in the queue: first come, first served
   std::size_t on_its_way_to = 0;  ///< machine group of the present step
   std::array<double, phases> phase_min{};
+  bool in_use = true;
   Phase phase = Phase::release;
   double since_min = 0;
 
@@ -54,8 +55,15 @@ class JobPool {
     *job = Job();
     return job;
   }
-  void give_back(Job* job) { free_.push_back(job); }
-  [[nodiscard]] std::size_t in_use() const { return all_.size() - free_.size(); }
+  void give_back(Job* job) {
+    job->in_use = false;
+    free_.push_back(job);
+  }
+  template <class Visit>
+  void for_each_in_use(Visit&& visit) const {
+    for (const Job& job : all_)
+      if (job.in_use) visit(job);
+  }
 
  private:
   std::deque<Job> all_;

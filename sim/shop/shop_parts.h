@@ -4,6 +4,7 @@
 #include <deque>
 #include <map>
 
+#include "scenarios/layout.h"
 #include "sim/kernel/arrivals.h"
 #include "sim/shop/durations.h"
 #include "sim/shop/shop.h"
@@ -204,10 +205,9 @@ struct Shop::Fleet {
     std::size_t at;  // place of the layout
     bool free = true;
   };
-  std::vector<Vehicle> vehicles;
-  std::vector<std::string> places;
-  std::vector<std::vector<double>> length_m;  // [from][to]: shortest way, infinity when there is none
-  std::vector<std::size_t> crews;
+  std::vector<Vehicle> vehicles = {};
+  scenarios::Layout layout;
+  std::vector<std::size_t> crews = {};
 };
 
 struct Shop::Carrier {
