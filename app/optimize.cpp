@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "app/cli.h"
+#include "app/elsewhere.h"
 #include "app/interrupt.h"
 #include "app/study_report.h"
 #include "app/study_session.h"
@@ -220,10 +221,11 @@ int optimize_study(OptimizeOptions& options) {
         const LoadedScenario loaded = load_scenario_text(p->loaded.text, p->where, changes);
         return session->run_once(baseline, loaded, changes, baseline ? "today" : "best", [&] {
           const std::int64_t before = baseline ? 0 : study.confirmation.replications;
-          return shop::run_scenario(loaded.scenario, threads, [&](std::int64_t done, std::int64_t) {
-            session->ledger().check();
-            session->progress("confirmation", before + done, all);
-          });
+          return simulate_anywhere(loaded.scenario, 0, loaded.scenario.simulation.replications, threads,
+                                   [&](std::int64_t done, std::int64_t) {
+                                     session->ledger().check();
+                                     session->progress("confirmation", before + done, all);
+                                   });
         });
       };
       shop::RunResult today = run(true, made);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include "app/elsewhere.h"
 #include "app/interrupt.h"
 #include "app/results.h"
 
@@ -99,8 +100,8 @@ void StudySession::keep(const Trial& trial) {
 
 optimize::Simulate StudySession::simulate(int threads) {
   return [this, threads](const scenarios::Scenario& scenario, std::uint64_t first, std::int64_t count) {
-    return shop::run_replications(scenario, first, count, threads,
-                                  [this](std::int64_t, std::int64_t) { ledger_.check(); });
+    return simulate_anywhere(scenario, first, count, threads,
+                             [this](std::int64_t, std::int64_t) { ledger_.check(); });
   };
 }
 
