@@ -242,7 +242,7 @@ class Run {
   // (2004) 337). A setting not simulated yet is believed as the long run has it, and so is tried when it
   // might pay. Few simulations bring the start of stage two to the right side of its constraints. Returns the
   // plans proposed, best first.
-  std::vector<std::vector<double>> correct_long_run(const NoisyProblem& problem, std::vector<double> start) {
+  std::vector<SearchResult> correct_long_run(const NoisyProblem& problem, std::vector<double> start) {
     struct Correction {
       double objective = 0;
       std::vector<double> margins;
@@ -289,7 +289,7 @@ class Run {
       for (std::size_t k = 0; k < c.margins.size(); ++k)
         if (problem_.conditions()[k].kind == Condition::Kind::kpi) {
           c.margins[k] =
-              now.measured.margins[noisy_constraint] - believed.margins[k] - allowances[noisy_constraint] / 3;
+              now.measured.margins[noisy_constraint] - believed.margins[k] - allowances[noisy_constraint];
           ++noisy_constraint;
         }
       corrections[settings_of(x)] = c;
@@ -308,16 +308,17 @@ class Run {
       x = std::move(next);
     }
     std::stable_sort(proposed.begin(), proposed.end(), better);
-    std::vector<std::vector<double>> points;
-    for (const SearchResult& p : proposed) points.push_back(p.x);
-    return points;
+    return proposed;
   }
 
   void refine_and_choose(std::vector<std::vector<double>> starts) {
     asked_ = 0;
     const NoisyProblem problem = noisy();
+    std::vector<SearchResult> proposed;
     if (covered() && samples_.empty()) {
-      starts = correct_long_run(problem, starts.front());
+      proposed = correct_long_run(problem, starts.front());
+      starts.clear();
+      for (const SearchResult& p : proposed) starts.push_back(p.x);
     }
     const std::size_t most_starts = 2;
     std::vector<std::vector<double>> from(
@@ -328,9 +329,15 @@ class Run {
                                     .levels = study_.simulation.levels,
                                     .neighbourhood = study_.simulation.neighbourhood,
                                     .seed = seed_});
-    for (const SearchResult& r : refined.finalists) note(r.x, r.measured, "simulation");
+    std::vector<SearchResult> candidates = refined.finalists;
+    for (const SearchResult& p : proposed)
+      if (std::none_of(candidates.begin(), candidates.end(),
+                       [&](const SearchResult& r) { return r.x == p.x; }))
+        candidates.push_back(p);
+    std::stable_sort(candidates.begin(), candidates.end(), better);
+    for (const SearchResult& r : candidates) note(r.x, r.measured, "simulation");
     std::vector<std::vector<double>> finalists;
-    for (const SearchResult& r : refined.finalists)
+    for (const SearchResult& r : candidates)
       if (finalists.size() < static_cast<std::size_t>(study_.choice.finalists) &&
           (r.feasible || finalists.empty()))
         finalists.push_back(r.x);

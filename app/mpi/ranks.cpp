@@ -44,9 +44,8 @@ struct ResultHead {
 
 template <class Head>
 std::string message(const Head& head, const void* data, std::size_t bytes) {
-  std::string m(sizeof head + bytes, '\0');
-  std::memcpy(m.data(), &head, sizeof head);
-  if (bytes > 0) std::memcpy(m.data() + sizeof head, data, bytes);
+  std::string m(reinterpret_cast<const char*>(&head), sizeof head);
+  m.append(static_cast<const char*>(data), bytes);
   return m;
 }
 template <class Head>
