@@ -291,11 +291,12 @@ void print_findings(const ordered_json& r) {
         "loses\n",
         "input", "lower", "higher", "regret");
     for (const auto& s : r["sensitivity"])
-      fmt::print("{:<44} {:>12} {:>12} {:>6} / {:<6}\n",
-                 fmt::format("{} +- {:g} %", s["name"].get<std::string>(), 100 * s["relative"].get<double>()),
-                 six(s["objective_low"]), six(s["objective_high"]),
-                 s["regret_low"].is_null() ? "-" : fmt::format("{:.2g}", s["regret_low"].get<double>()),
-                 s["regret_high"].is_null() ? "-" : fmt::format("{:.2g}", s["regret_high"].get<double>()));
+      fmt::print(
+          "{:<44} {:>12} {:>12} {:>6} / {:<6}\n",
+          fmt::format("{} +- {:g} %", s["name"].get<std::string>(), 100 * s["relative"].get<double>()),
+          six(s["objective_low"]), six(s["objective_high"]),
+          s["regret_low"].is_null() ? "broken" : fmt::format("{:.2g}", s["regret_low"].get<double>()),
+          s["regret_high"].is_null() ? "broken" : fmt::format("{:.2g}", s["regret_high"].get<double>()));
   }
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -118,7 +119,9 @@ std::vector<Sensitivity> sensitivities(const Problem& problem, const std::vector
     const SearchResult there = minimize_mixed(measure, fixed, best, local);
     objective = shown_value(study.objective, there.measured.value);
     x = there.x;
-    regret = std::max(0.0, measure(best).value - there.measured.value);
+    const Measured kept = measure(best);
+    regret = violation(kept) > 1e-6 ? std::numeric_limits<double>::infinity()
+                                    : std::max(0.0, kept.value - there.measured.value);
   };
   double nominal = 0;
   double none = 0;

@@ -29,7 +29,8 @@ struct Sensitivity {
   double relative = 0;       ///< the input is off by this share
   double objective_low = 0;  ///< best objective with the input lower, higher
   double objective_high = 0;
-  double regret_low = 0;  ///< what keeping today's optimum would lose then, >= 0
+  double regret_low =
+      0;  ///< what keeping this optimum would lose then, >= 0; infinite when it breaks a constraint
   double regret_high = 0;
   std::vector<double> x_low;  ///< the optimum then
   std::vector<double> x_high;

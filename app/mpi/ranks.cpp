@@ -29,7 +29,7 @@ constexpr int stop_tag = 3;
 // Waiting in MPI burns a core: both sides look and sleep.
 constexpr std::chrono::microseconds nap(500);
 // A rank silent for so long, and for so many times the longest replication so far, is taken for dead.
-constexpr double patience_s = 20;
+constexpr double patience_s = 10;
 constexpr double patience_factor = 10;
 
 struct TaskHead {
