@@ -187,7 +187,7 @@ std::vector<OneCut> one_cut_optima(const scenarios::Scenario& plan) {
     if (!(mu > 1) || std::abs(time_exponent - 1) > 0.02) continue;
 
     const auto& tool = *scenarios::find_named(shop.tools, operation.tool);
-    const auto& insert = *scenarios::find_named(shop.inserts, tool.insert);
+    const auto insert = scenarios::prepared(*scenarios::find_named(shop.inserts, tool.insert));
     const auto& crew = *scenarios::find_named(shop.crews, tool.crew);
     const auto& machine = shop.machines[scenarios::groups_of(shop, operation).front()];
     if (!(machine.rate_per_min > 0)) continue;

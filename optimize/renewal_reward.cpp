@@ -178,6 +178,12 @@ void check_covered(const scenarios::Scenario& s) {
     const std::string at = fmt::format("/tools/{}/crew", k);
     if (crew == nullptr) leave_to_simulation(at, "several crews may change edges");
     if (!crew->calendar.empty()) leave_to_simulation(at, "the crew works by a calendar");
+    const scenarios::Tool& tool = s.tools[k];
+    const Insert* insert = scenarios::find_named(s.inserts, tool.insert);
+    if (insert != nullptr && insert->lots)
+      leave_to_simulation(fmt::format("/tools/{}/insert", k), "its inserts come in lots that differ");
+    if (tool.teeth > 1 || scenarios::changed_off_line(tool) || !tool.elements.empty())
+      leave_to_simulation(fmt::format("/tools/{}", k), "the tool has teeth, copies or elements of its own");
     if (crew->walking_min > 0) leave_to_simulation(at, "the crew walks to the machines");
   }
   for (std::size_t k = 0; k < s.crews.size(); ++k)
@@ -242,7 +248,10 @@ OperationCost LongRunModel::cost_of(std::size_t index, const operations::CutPlan
   if (!plan.edge || !at.tool) return cost;
   const Tool& tool = scenario_.tools[*at.tool];
   Cache::ToolAt& tool_at = cache_->tools[*at.tool];
-  const Insert& insert = scenario_.inserts[tool_at.insert];
+  const Insert& delivered = scenario_.inserts[tool_at.insert];
+  std::optional<Insert> treated;
+  if (delivered.preparation) treated = scenarios::prepared(delivered);
+  const Insert& insert = treated ? *treated : delivered;
   const Crew& crew = scenario_.crews[tool_at.crew];
   KnownLaw& known = tool_at.law;
   if (!known.unit || known.kind != insert.edge_life.law || known.cv != insert.edge_life.cv)
@@ -411,6 +420,8 @@ LongRun LongRunModel::evaluate() const {
   LongRun run;
   for (std::size_t o = 0; o < scenario_.operations.size(); ++o) {
     run.plans.push_back(scenarios::plan(scenario_, scenario_.operations[o]));
+    if (run.plans.back().overload || run.plans.back().detection)
+      leave_to_simulation(fmt::format("/operations/{}", o), "the drive trips, or parts are inspected");
     run.operations.push_back(cost_of(o, run.plans.back()));
   }
   flow(run);

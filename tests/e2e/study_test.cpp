@@ -29,7 +29,7 @@ std::string noisy_study(const Workspace& w) {
   std::ofstream(w.file("cell.json")) << read_file(cell);
   study["scenario"] = "cell.json";
   study["changes"] = json::parse(
-      R"([{"pointer": "/simulation/horizon_min", "value": 20000}, {"pointer": "/simulation/warmup_min", "value": 1000}])");
+      R"([{"pointer": "/simulation/horizon_min", "value": 100000}, {"pointer": "/simulation/warmup_min", "value": 1000}])");
   study["search"]["max_evaluations"] = 400;
   study["simulation"] = {{"trials", 24}, {"first_replications", 4}, {"levels", 2}};
   study["choice"] = {{"finalists", 3}, {"first_replications", 6}, {"max_replications", 40}};
@@ -86,7 +86,12 @@ TEST_CASE("a study killed again and again ends with the trials and the answer of
     const pid_t child = start("optimize " + (k == 0 ? file : std::string("--resume 1")) + killed_db);
     random = random * 1103515245U + 12345U;
     const double share = static_cast<double>(random >> 16U) / 65536.0;
-    std::this_thread::sleep_for(std::chrono::duration<double>((0.1 + 0.5 * share) * seconds));
+    // The first one at least until there is something to resume.
+    for (int wait = 0; k == 0 && wait < 1000; ++wait) {
+      if (call("runs --study 1" + killed_db).exit_code == 0) break;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    std::this_thread::sleep_for(std::chrono::duration<double>((k == 0 ? 0.3 : 0.6) * share * seconds));
     ::kill(child, SIGKILL);
     kills += ended(child) == 128 + SIGKILL ? 1 : 0;
     if (k == 0) REQUIRE(stored(w, "killed.db")["status"] == "running");
