@@ -1,5 +1,6 @@
 // verstat-mpi: the same program, its replications on the ranks of an MPI job.
 //   mpirun -n 9 verstat-mpi optimize STUDY.json --db night.db
+#include <csignal>
 #include <cstdio>
 #include <memory>
 
@@ -9,6 +10,18 @@
 #include "app/cli.h"
 #include "app/elsewhere.h"
 #include "app/mpi/ranks.h"
+
+namespace {
+
+volatile int exit_code = 0;
+
+// A rank that died unnoticed would keep the others in MPI_Finalize for ever: after this time they go without.
+constexpr unsigned farewell_s = 10;
+void leave(int) {
+  ::_exit(exit_code);
+}
+
+}  // namespace
 
 int main(int argc, char** argv) {
   int provided = MPI_THREAD_SINGLE;
@@ -35,6 +48,9 @@ int main(int argc, char** argv) {
     std::fflush(nullptr);
     if (!all) ::_exit(code);  // MPI_Finalize would wait for the dead
   }
+  exit_code = code;
+  std::signal(SIGALRM, leave);
+  ::alarm(farewell_s);
   // A code other than 0 from MPI_Finalize on would look like a crash of the job: rank 0 tells it.
   MPI_Finalize();
   return code;

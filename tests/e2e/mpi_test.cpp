@@ -36,7 +36,7 @@ std::string study_file(const Workspace& w, double horizon_min) {
 std::string mpirun(int ranks, const std::string& options, const std::string& arguments) {
   return "OMPI_ALLOW_RUN_AS_ROOT=1 OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1 "
          "OMPI_MCA_btl_vader_single_copy_mechanism=none "
-         "mpirun --oversubscribe --bind-to none -n " +
+         "timeout -k 5 100 mpirun --oversubscribe --bind-to none -n " +
          std::to_string(ranks) + " " + options + " " + VERSTAT_MPI_PROGRAM + " " + arguments;
 }
 
@@ -72,12 +72,13 @@ TEST_CASE("the work of a rank that dies is done by the others") {
   const Answer alone = call(study + w.file("alone.db"));
   REQUIRE(alone.exit_code == 0);
   // One of the ranks ends without a word as soon as simulation has begun.
-  const std::string script =
-      mpirun(4, "--enable-recovery", study + w.file("killed.db")) + " >" + w.file("out") + " 2>" +
-      w.file("err") + " </dev/null & job=$!; for k in $(seq 1 200); do sleep 0.05; " + VERSTAT_PROGRAM +
-      " runs --study 1 --db " + w.file("killed.db") +
-      " 2>/dev/null | grep -q '\"simulation\",' && break; done; kill -9 $(pgrep -P $job | tail -1); "
-      "wait $job";
+  const std::string script = mpirun(4, "--enable-recovery", study + w.file("killed.db")) + " >" +
+                             w.file("out") + " 2>" + w.file("err") +
+                             " </dev/null & job=$!; for k in $(seq 1 200); do sleep 0.05; " +
+                             VERSTAT_PROGRAM + " runs --study 1 --db " + w.file("killed.db") +
+                             " 2>/dev/null | grep -q '\"simulation\",' && break; done; kill -9 $(pgrep -P "
+                             "$(pgrep -P $job) | tail -1); "
+                             "wait $job";
   std::ofstream(w.file("kill.sh")) << script;
   (void)std::system(("sh " + w.file("kill.sh") + " >/dev/null 2>&1").c_str());
   INFO(read_file(w.file("err")));
