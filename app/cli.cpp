@@ -15,6 +15,7 @@
 #include "app/version.h"
 #include "models/catalogue/closest.h"
 #include "models/catalogue/error.h"
+#include "optimize/ledger.h"
 #include "store/database.h"
 
 namespace verstat::app {
@@ -101,6 +102,10 @@ store::Provenance provenance() {
           .created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))};
 }
 
+void exit_with(int code) {
+  if (code != success) throw CLI::RuntimeError(code);
+}
+
 namespace {
 
 int report(const std::string& text, ExitCode code) {
@@ -133,6 +138,9 @@ int run_program(int argc, char** argv) {
       "Example:\n  verstat run scenarios/gallery/heavy-lathe.json --set /tools/0/strategy/gamma=0.47");
   add_validate(program);
   add_run(program);
+  add_compare(program);
+  add_sweep(program);
+  add_losses(program);
   add_optimize(program);
   add_plan(program);
   add_models(program);
@@ -147,6 +155,8 @@ int run_program(int argc, char** argv) {
     return success;
   } catch (const CLI::Success& e) {  // --help, --version
     return program.exit(e);
+  } catch (const CLI::RuntimeError& e) {  // exit_with
+    return e.get_exit_code();
   } catch (const CLI::ParseError& e) {
     std::string text = e.what();
     for (char& c : text)
@@ -158,6 +168,8 @@ int run_program(int argc, char** argv) {
     return report(e.what(), bad_input);
   } catch (const models::ModelError& e) {
     return report(e.what(), bad_input);
+  } catch (const optimize::Interrupted& e) {
+    return report(fmt::format("ended early: {}", e.what()), ExitCode::interrupted);
   } catch (const store::StoreError& e) {
     return report(e.what(), failure);
   } catch (const std::bad_alloc&) {

@@ -61,10 +61,16 @@ struct LoadedScenario {
 /// Program version, and processor and C library (results agree bit for bit where both are the same).
 [[nodiscard]] store::Provenance provenance();
 
+/// Ends a sub-command with an exit code, from within its callback.
+void exit_with(int code);
+
 /// Registers each sub-command; the returned callbacks run when it is chosen.
 void add_validate(CLI::App& program);
 void add_run(CLI::App& program);
 void add_optimize(CLI::App& program);
+void add_compare(CLI::App& program);
+void add_sweep(CLI::App& program);
+void add_losses(CLI::App& program);
 void add_models(CLI::App& program);
 void add_runs(CLI::App& program);
 void add_schema(CLI::App& program);

@@ -1,215 +1,306 @@
-// verstat optimize: find the best plan of a study and confirm it by simulation.
-#include <chrono>
+// verstat optimize: find the best plan of a study and confirm it by simulation; go on where one stopped.
+#include <charconv>
+#include <cmath>
 #include <filesystem>
 
 #include <fmt/format.h>
 
 #include "app/cli.h"
-#include "app/progress.h"
-#include "app/results.h"
-#include "optimize/study.h"
-#include "store/database.h"
-#include "store/result_json.h"
+#include "app/elsewhere.h"
+#include "app/interrupt.h"
+#include "app/study_report.h"
+#include "app/study_session.h"
+#include "models/catalogue/error.h"
 
 namespace verstat::app {
 
 namespace {
 
 using nlohmann::ordered_json;
+using optimize::Problem;
+using scenarios::Change;
 
-ordered_json point(const optimize::StudySpec& study, const std::vector<double>& x) {
-  ordered_json values = ordered_json::array();
-  for (std::size_t k = 0; k < x.size(); ++k)
-    values.push_back({{"name", study.variables[k].name},
-                      {"pointer", study.variables[k].pointer},
-                      {"unit", study.variables[k].unit},
-                      {"value", x[k]}});
-  return values;
-}
-
-ordered_json number_or_null(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
-}
-
-// What the study found, in numbers and in words.
-ordered_json result_of(const optimize::StudySpec& study, const std::string& currency,
-                       const optimize::AnalyticOutcome& analytic,
-                       const optimize::Confirmation& confirmation) {
-  const auto kpi = *confirmation.baseline.index_of(study.objective.kpi);
-  const auto estimate = [&](const shop::RunResult& run) {
-    return ordered_json{{"mean", number_or_null(run.estimates[kpi].mean)},
-                        {"half_width_95", number_or_null(run.estimates[kpi].half_width)}};
-  };
-  const auto base = confirmation.baseline.estimates[kpi].mean;
-  const auto saving = confirmation.saving.mean;
-  const auto half = confirmation.saving.half_width;
-  std::string words = "The best plan and today's could not be compared.";
-  if (base && saving && half && *base > 0) {
-    const double percent = 100 * *saving / *base;
-    const double percent_half = 100 * *half / *base;
-    if (confirmation.verdict == "not distinguishable") {
-      words = fmt::format(
-          "The best plan and today's cannot be told apart: {:.2f} +- {:.2f} % of the cost per part.", percent,
-          percent_half);
-    } else {
-      words =
-          fmt::format("The best plan costs {:.2f} +- {:.2f} % {} per part: {:.2f} +- {:.2f} {} of {:.2f} {}.",
-                      std::abs(percent), percent_half, percent > 0 ? "less" : "more", std::abs(*saving),
-                      *half, currency, *base, currency);
-    }
-  }
-  return {{"objective", study.objective.kpi},
-          {"unit", currency},
-          {"baseline",
-           {{"values", point(study, analytic.baseline)},
-            {"analytic", analytic.baseline_value},
-            {"simulated", estimate(confirmation.baseline)}}},
-          {"best",
-           {{"values", point(study, analytic.search.best.x)},
-            {"analytic", analytic.search.best.value},
-            {"simulated", estimate(confirmation.best)}}},
-          {"evaluations", analytic.search.evaluations.size()},
-          {"saving",
-           {{"mean", number_or_null(saving)},
-            {"half_width", number_or_null(half)},
-            {"confidence", study.confirmation.confidence}}},
-          {"verdict", confirmation.verdict},
-          {"words", words}};
-}
-
-struct LoadedStudy {
-  std::string text;
-  optimize::StudySpec spec;
-  std::string scenario_file;
+struct OptimizeOptions {
+  CommonOptions common;
+  std::string file;
+  std::string resume;
+  std::string progress = "bar";
+  std::string plan_file;
+  std::string time_s;
 };
 
-LoadedStudy load_study_file(const std::string& file) {
-  LoadedStudy study;
+// Everything that a study is made of, from files or from the database.
+struct Prepared {
+  std::string where;  // for messages
+  std::string text;
+  optimize::StudySpec spec;
+  std::vector<Change> changes;  // of the command line
+  LoadedScenario loaded;        // with all changes, the study's fixed ones first
+};
+
+Prepared prepare(const std::string& where, const std::string& study_text, const std::string& scenario_where,
+                 const std::string& scenario_text, std::vector<Change> changes) {
+  Prepared p{.where = where, .text = study_text, .changes = std::move(changes)};
   try {
-    study.text = scenarios::read_text_file(file);
-    study.spec = optimize::load_study(scenarios::parse_json(study.text));
+    p.spec = optimize::load_study(scenarios::parse_json(study_text));
   } catch (const scenarios::InputError& e) {
-    throw UsageError(fmt::format("study {}: {}", file, e.what()));
+    throw UsageError(fmt::format("{}: {}", where, e.what()));
   }
-  study.scenario_file = (std::filesystem::path(file).parent_path() / study.spec.scenario).string();
-  return study;
+  std::vector<Change> all = optimize::fixed_changes(p.spec);
+  all.insert(all.end(), p.changes.begin(), p.changes.end());
+  p.loaded = load_scenario_text(scenario_text, scenario_where, all);
+  return p;
 }
 
-void print_result(const ordered_json& result) {
-  fmt::print("{:<28} {:>14} {:>14}\n", "", "today", "best");
-  const auto& today = result["baseline"];
-  const auto& best = result["best"];
-  for (std::size_t k = 0; k < best["values"].size(); ++k) {
-    const std::string unit = best["values"][k]["unit"].get<std::string>();
-    fmt::print("{:<28} {:>14.6g} {:>14.6g}  {}\n", best["values"][k]["name"].get<std::string>(),
-               today["values"][k]["value"].get<double>(), best["values"][k]["value"].get<double>(),
-               unit == "1" ? "" : unit);
+Prepared prepare_files(const OptimizeOptions& options) {
+  const std::string where = "study " + options.file;
+  std::string text;
+  std::string scenario_file;
+  try {
+    text = scenarios::read_text_file(options.file);
+    const auto spec = optimize::load_study(scenarios::parse_json(text));
+    scenario_file = (std::filesystem::path(options.file).parent_path() / spec.scenario).string();
+  } catch (const scenarios::InputError& e) {
+    throw UsageError(fmt::format("{}: {}", where, e.what()));
   }
-  const std::string unit = result["unit"].get<std::string>();
-  fmt::print("{:<28} {:>14.6g} {:>14.6g}  {}\n", "cost per part, long run", today["analytic"].get<double>(),
-             best["analytic"].get<double>(), unit);
-  const auto simulated = [](const ordered_json& side) {
-    const auto& s = side["simulated"];
-    const auto value = [](const ordered_json& j) {
-      return j.is_null() ? std::nullopt : std::optional(j.get<double>());
-    };
-    return shown(value(s["mean"]), value(s["half_width_95"]));
-  };
-  fmt::print("{:<28} {:>14} {:>14}  {}\n\n{}\n", "cost per part, simulated", simulated(today),
-             simulated(best), unit, result["words"].get<std::string>());
+  std::string scenario_text;
+  try {
+    scenario_text = scenarios::read_text_file(scenario_file);
+  } catch (const scenarios::InputError& e) {
+    throw UsageError(fmt::format("scenario {}: {}", scenario_file, e.what()));
+  }
+  return prepare(where, text, "scenario " + scenario_file, scenario_text, changes_of(options.common));
+}
+
+std::int64_t study_number(const std::string& text) {
+  std::int64_t id = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+  if (error != std::errc() || stop != text.data() + text.size() || id < 1)
+    throw UsageError(fmt::format("--resume {}: must be the number of a study", text.substr(0, 100)));
+  return id;
+}
+
+double seconds(const std::string& text) {
+  double value = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || stop != text.data() + text.size() || !(value > 0) || value > 1e9)
+    throw UsageError(fmt::format("--time {}: must be seconds above 0", text.substr(0, 100)));
+  return value;
+}
+
+store::Study record_of(const Prepared& p) {
+  store::Study record;
+  record.header = {.name = p.spec.name,
+                   .scenario_name = p.loaded.scenario.name,
+                   .objective = p.spec.objective.kpi,
+                   .seed = p.loaded.scenario.simulation.seed.value,
+                   .provenance = provenance()};
+  record.study_text = p.text;
+  record.scenario_text = p.loaded.text;
+  record.changes = changes_text(p.changes);
+  for (const auto& v : p.spec.variables) {
+    store::Variable one{v.name, v.pointer, v.unit, v.low, v.high};
+    if (v.type == optimize::VariableType::integer) one.type = "integer";
+    if (v.type == optimize::VariableType::categorical) {
+      one.type = "categorical";
+      ordered_json texts = ordered_json::array();
+      for (std::size_t o = 0; o < v.options.size(); ++o)
+        texts.push_back(ordered_json(optimize::value_at(v, static_cast<double>(o))));
+      one.options = texts.dump();
+    }
+    record.variables.push_back(std::move(one));
+  }
+  return record;
+}
+
+// What is in the way when nothing is feasible: of the plan the search came to, the constraint missed most.
+std::string nearest_miss(Problem& problem, const optimize::StudyAnswer& answer) {
+  if (!answer.analytic) return {};
+  try {
+    const auto look = problem.look(answer.analytic->x);
+    std::size_t worst = 0;
+    for (std::size_t k = 1; k < look.conditions.size(); ++k)
+      if (look.conditions[k].margin < look.conditions[worst].margin) worst = k;
+    if (look.conditions.empty()) return {};
+    const auto& c = problem.conditions()[worst];
+    return fmt::format("the nearest one has {} {:.6g} {}, {} {:.6g} is needed", c.name,
+                       look.conditions[worst].value, c.unit == "1" ? "" : c.unit,
+                       c.at_most ? "at most" : "at least", look.conditions[worst].allowed);
+  } catch (const std::exception& e) {
+    return e.what();
+  }
+}
+
+// The time between Ctrl-C and the answer is kept short: nothing new is asked.
+void analyse(Problem& problem, StudyFindings& findings) {
+  const auto& best = *findings.answer.best;
+  const auto seed = problem.typed_scenario_at(best.x).simulation.seed.value;
+  const auto search = optimize::search_options(problem.study(), seed);
+  findings.one_cut = optimize::one_cut_optima(scenarios::load(problem.scenario_at(best.x)));
+  if (!problem.not_covered().empty() || problem.study().objectives.size() > 1) return;
+  // Of the best plan in the long run: what simulation moved it by is no constraint.
+  const std::vector<double>& x = findings.answer.analytic ? findings.answer.analytic->x : best.x;
+  if (!findings.answer.analytic || !findings.answer.analytic->feasible) return;
+  findings.binding = optimize::binding_constraints(problem, x, search);
+  findings.sensitivity = optimize::sensitivities(problem, x, search);
+}
+
+int optimize_study(OptimizeOptions& options) {
+  check_progress(options.progress);
+  const bool resumed = !options.resume.empty();
+  if (options.file.empty() && !resumed) throw UsageError("optimize: which STUDY? (or --resume NUMBER)");
+  if (resumed &&
+      (!options.common.set.empty() || !options.common.seed.empty() || !options.common.replications.empty()))
+    throw UsageError(
+        "--resume: the study goes on as it was begun; --set, --seed and --replications cannot be given");
+  const int threads = thread_count(options.common);
+
+  std::optional<Prepared> p;
+  std::unique_ptr<StudySession> session;
+  if (resumed) {
+    const std::int64_t id = study_number(options.resume);
+    session = std::make_unique<StudySession>(options.common.db, id, "optimize", options.progress);
+    const store::Study& record = session->record();
+    if (!options.file.empty() && scenarios::read_text_file(options.file) != record.study_text)
+      throw UsageError(
+          fmt::format("--resume {}: {} is not the study that was begun; leave the file out, or begin anew",
+                      id, options.file));
+    const std::string where = fmt::format("study {} of {}", id, options.common.db);
+    p = prepare(where, record.study_text, "scenario of " + where, record.scenario_text,
+                changes_from_text(record.changes));
+  } else {
+    p = prepare_files(options);
+  }
+  // --replications is that of the confirmation; a resumed study has it among its changes.
+  for (const Change& change : p->changes)
+    if (change.pointer == "/simulation/replications")
+      p->spec.confirmation.replications = p->loaded.scenario.simulation.replications;
+  if (p->spec.confirmation.replications < 2)
+    throw UsageError("--replications 1: a comparison needs at least 2 pairs of replications");
+
+  const optimize::StudySpec& study = p->spec;
+  std::unique_ptr<Problem> problem;
+  try {
+    problem = std::make_unique<Problem>(study, p->loaded.json);
+    // Ends nothing and computes nothing: what the stages would refuse is said before the database is touched.
+    optimize::check_study(*problem);
+  } catch (const scenarios::InputError& e) {
+    throw UsageError(fmt::format("{}: {}", p->where, e.what()));
+  }
+  if (session == nullptr)
+    session = std::make_unique<StudySession>(options.common.db, record_of(*p), options.progress);
+  session->set_budget(options.time_s.empty() ? study.budget.time_s : seconds(options.time_s),
+                      study.budget.trials);
+
+  const optimize::StudyTools tools{
+      .simulate = session->simulate(threads),
+      .progress = [&](const optimize::StudyProgress& now) { session->progress(now); }};
+  StudyFindings findings{.study = study,
+                         .answer = optimize::run_study(*problem, session->ledger(), tools),
+                         .currency = p->loaded.scenario.currency,
+                         .id = session->id()};
+  findings.trials = session->trials();
+  optimize::StudyAnswer& answer = findings.answer;
+  if (!answer.best && answer.interrupted.empty()) findings.nearest_miss = nearest_miss(*problem, answer);
+  if (answer.best) {
+    try {
+      const auto look = problem->look(answer.best->x);
+      if (!look.objectives.empty()) findings.best_long_run = look.objectives[0];
+    } catch (const std::exception&) {
+      // Simulated only.
+    }
+  }
+  if (answer.best && answer.interrupted.empty()) try {
+      std::vector<Change> made = optimize::fixed_changes(study);
+      made.insert(made.end(), p->changes.begin(), p->changes.end());
+      const auto confirm_with =
+          optimize::confirmation_changes(study, p->loaded.scenario.simulation.seed.value);
+      made.insert(made.end(), confirm_with.begin(), confirm_with.end());
+      const std::int64_t all = 2 * study.confirmation.replications;
+      const auto run = [&](bool baseline, std::vector<Change> changes) {
+        const LoadedScenario loaded = load_scenario_text(p->loaded.text, p->where, changes);
+        return session->run_once(baseline, loaded, changes, baseline ? "today" : "best", [&] {
+          const std::int64_t before = baseline ? 0 : study.confirmation.replications;
+          return simulate_anywhere(loaded.scenario, 0, loaded.scenario.simulation.replications, threads,
+                                   [&](std::int64_t done, std::int64_t) {
+                                     session->ledger().check();
+                                     session->progress("confirmation", before + done, all);
+                                   });
+        });
+      };
+      shop::RunResult today = run(true, made);
+      const auto best = optimize::changes_at(study.variables, answer.best->x);
+      made.insert(made.end(), best.begin(), best.end());
+      findings.confirmation = optimize::confirm(study, std::move(today), run(false, made));
+      // What today's plan owes by simulation, too.
+      for (const auto& c : problem->conditions()) {
+        if (c.kind != optimize::Condition::Kind::kpi) continue;
+        const auto k = findings.confirmation->baseline.index_of(c.item);
+        if (!k || !findings.confirmation->baseline.estimates[*k].mean) continue;
+        const double mean = *findings.confirmation->baseline.estimates[*k].mean;
+        if (c.at_most ? mean > c.allowed : mean < c.allowed) answer.baseline_feasible = false;
+      }
+      analyse(*problem, findings);
+    } catch (const optimize::Interrupted& why) {
+      answer.interrupted = why.what();
+    }
+  const ordered_json result = to_json(findings);
+  const bool ended_early = !answer.interrupted.empty();
+  session->finish(result.dump(), ended_early ? "interrupted" : "finished");
+
+  if (!options.plan_file.empty() && answer.best) {
+    std::vector<Change> plan = optimize::fixed_changes(study);
+    plan.insert(plan.end(), p->changes.begin(), p->changes.end());
+    const auto best = optimize::changes_at(study.variables, answer.best->x);
+    plan.insert(plan.end(), best.begin(), best.end());
+    write_file(options.plan_file, changed_text(p->loaded.text, plan));
+  }
+  if (options.common.json) {
+    ordered_json out = {
+        {"study", session->id()},
+        {"name", study.name},
+        {"baseline_run", session->baseline_run() ? ordered_json(*session->baseline_run()) : nullptr},
+        {"best_run", session->best_run() ? ordered_json(*session->best_run()) : nullptr}};
+    out.update(result);
+    fmt::print("{}\n", out.dump(2));
+  } else {
+    fmt::print("{}\n\n", study.name);
+    print_findings(result);
+    fmt::print("\nstudy {} in {}: {} trials", session->id(), options.common.db, session->trials());
+    if (session->baseline_run() && session->best_run())
+      fmt::print(", runs {} (today) and {} (best)", *session->baseline_run(), *session->best_run());
+    fmt::print("\n");
+    if (!options.plan_file.empty() && answer.best) fmt::print("the best plan is {}\n", options.plan_file);
+  }
+  return end_asked() ? static_cast<int>(ExitCode::interrupted) : static_cast<int>(success);
 }
 
 }  // namespace
 
 void add_optimize(CLI::App& program) {
-  auto options = std::make_shared<CommonOptions>();
-  auto file = std::make_shared<std::string>();
+  auto options = std::make_shared<OptimizeOptions>();
   CLI::App* command =
       program.add_subcommand("optimize", "Find the best plan of a study, confirm it by simulation");
-  command->add_option("STUDY", *file, "study file (JSON)")->required();
-  add_json(*command, *options);
-  add_db(*command, *options);
-  add_run_options(*command, *options);
+  command->add_option("STUDY", options->file, "study file (JSON)");
+  command->add_option("--resume", options->resume, "go on with this study of the database");
+  command->add_option("--write-plan", options->plan_file, "write the best plan as a scenario file");
+  command->add_option("--time", options->time_s,
+                      "end after so many seconds, with the best so far (can be resumed)");
+  add_progress(*command, options->progress);
+  add_json(*command, options->common);
+  add_db(*command, options->common);
+  add_run_options(*command, options->common);
   command->footer(
       "Example:\n  verstat optimize scenarios/gallery/heavy-lathe.study.json\n"
-      "Stage one minimises the long-run cost per part with NLopt; stage two simulates today's plan and the "
-      "best one\n"
-      "with the same random numbers, so that the saving comes with an interval. --replications is that of "
-      "stage two.");
-  command->callback([options, file] {
-    LoadedStudy study = load_study_file(*file);
-    const auto changes = changes_of(*options);
-    const LoadedScenario loaded = load_scenario(study.scenario_file, changes);
-    if (!options->replications.empty())
-      study.spec.confirmation.replications = loaded.scenario.simulation.replications;
-    if (study.spec.confirmation.replications < 2)
-      throw UsageError("--replications 1: a comparison needs at least 2 pairs of replications");
-    const int threads = thread_count(*options);
-
-    optimize::AnalyticOutcome analytic;
-    try {
-      analytic = optimize::optimize_analytic(study.spec, loaded.json);
-    } catch (const scenarios::InputError& e) {
-      throw UsageError(fmt::format("study {}: {}", *file, e.what()));
-    }
-
-    // Everything asked for is valid: only now is the database touched.
-    store::Writer writer(options->db);
-    store::Study record;
-    record.header = {.name = study.spec.name,
-                     .scenario_name = loaded.scenario.name,
-                     .objective = study.spec.objective.kpi,
-                     .seed = loaded.scenario.simulation.seed.value,
-                     .provenance = provenance()};
-    record.study_text = study.text;
-    record.scenario_text = loaded.text;
-    record.changes = changes_text(changes);
-    for (const auto& v : study.spec.variables)
-      record.variables.push_back({v.name, v.pointer, v.unit, v.low, v.high});
-    const std::int64_t id = writer.begin_study(record);
-    std::vector<store::Trial> trials;
-    for (const auto& e : analytic.search.evaluations) {
-      const bool finite = std::isfinite(e.value);
-      trials.push_back({.number = static_cast<std::int64_t>(trials.size()) + 1,
-                        .stage = "analytic",
-                        .values = e.x,
-                        .objective = finite ? std::optional(e.value) : std::nullopt,
-                        .feasible = finite});
-    }
-    writer.add_trials(id, trials);
-
-    const auto start = std::chrono::steady_clock::now();
-    optimize::Confirmation confirmation;
-    {
-      ProgressBar bar("confirmation");
-      confirmation = optimize::confirm(study.spec, loaded.json, analytic.search.best.x, threads,
-                                       [&](std::int64_t done, std::int64_t of) { bar.update(done, of); });
-    }
-    const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const auto keep = [&](const shop::RunResult& run, std::vector<scenarios::Change> made, const char* what) {
-      made.insert(made.begin(), changes.begin(), changes.end());
-      made.push_back({"/simulation/replications", study.spec.confirmation.replications});
-      return writer.add_run(
-          record_of(run, loaded, made, fmt::format("study {}: {}", id, what), elapsed_s / 2));
-    };
-    const std::int64_t baseline = keep(confirmation.baseline, {}, "today");
-    const std::int64_t best =
-        keep(confirmation.best, optimize::changes_at(study.spec, analytic.search.best.x), "best");
-    const ordered_json result = result_of(study.spec, loaded.scenario.currency, analytic, confirmation);
-    writer.finish_study(id, baseline, best, result.dump(), "finished");
-
-    if (options->json) {
-      ordered_json answer = {
-          {"study", id}, {"name", study.spec.name}, {"baseline_run", baseline}, {"best_run", best}};
-      answer.update(result);
-      fmt::print("{}\n", answer.dump(2));
-    } else {
-      fmt::print("{}\n\n", study.spec.name);
-      print_result(result);
-      fmt::print("\nstudy {} in {}: {} trials, runs {} (today) and {} (best)\n", id, options->db,
-                 trials.size(), baseline, best);
-    }
-  });
+      "Stage one minimises the long-run model with NLopt, stage two refines by simulation and stage three "
+      "chooses\n"
+      "among the finalists with fresh random numbers, when the study asks for them; then today's plan and "
+      "the best\n"
+      "one are simulated with the same random numbers, so that the saving comes with an interval. "
+      "--replications is\n"
+      "that of this last comparison. Every finished trial is kept: --resume goes on after Ctrl-C or a "
+      "crash.");
+  command->callback([options] { exit_with(optimize_study(*options)); });
 }
 
 }  // namespace verstat::app

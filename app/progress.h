@@ -3,6 +3,7 @@
 
 #include <chrono>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace verstat::app {
@@ -13,8 +14,8 @@ class ProgressBar {
   ProgressBar(const ProgressBar&) = delete;
   ProgressBar& operator=(const ProgressBar&) = delete;
   ~ProgressBar();
-  /// Not thread safe: the caller serialises.
-  void update(std::int64_t done, std::int64_t of);
+  /// Not thread safe: the caller serialises. `best`: the best value so far, shown when there is one.
+  void update(std::int64_t done, std::int64_t of, const std::optional<double>& best = {});
 
  private:
   std::string what_;

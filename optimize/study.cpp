@@ -1,85 +1,15 @@
 #include "optimize/study.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
-#include "optimize/renewal_reward.h"
-#include "scenarios/model_json.h"
-
-namespace verstat::models {
-
-using optimize::ConfirmationSpec;
-using optimize::Direction;
-using optimize::ObjectiveSpec;
-using optimize::SearchSpec;
-using optimize::StudySpec;
-using optimize::Variable;
-
-template <>
-struct EnumNames<Direction> {
-  static constexpr std::array names{std::pair{Direction::minimize, "minimize"}};
-};
-
-template <>
-struct StructFields<Variable> {
-  static std::vector<Field> fields() {
-    return {member<Variable>(&Variable::name, "name", "", "-", no_range(), "what a person calls it"),
-            member<Variable>(&Variable::pointer, "pointer", "", "-", no_range(),
-                             "JSON pointer into the scenario"),
-            member<Variable>(&Variable::unit, "unit", "", "-", no_range(), "its unit", false),
-            member<Variable>(&Variable::low, "low", "", "1", any(), "lower bound"),
-            member<Variable>(&Variable::high, "high", "", "1", any(), "upper bound")};
-  }
-};
-template <>
-struct StructFields<ObjectiveSpec> {
-  static std::vector<Field> fields() {
-    return {member<ObjectiveSpec>(&ObjectiveSpec::kpi, "kpi", "", "-", no_range(), "KPI to improve"),
-            member<ObjectiveSpec>(&ObjectiveSpec::direction, "direction", "", "-", no_range(),
-                                  "which way is better", false)};
-  }
-};
-template <>
-struct StructFields<SearchSpec> {
-  static std::vector<Field> fields() {
-    return {member<SearchSpec>(&SearchSpec::algorithm, "algorithm", "", "-", no_range(),
-                               "NLopt algorithm without derivatives; empty: DIRECT-L, then BOBYQA", false),
-            member<SearchSpec>(&SearchSpec::max_evaluations, "max_evaluations", "", "1", closed(1, 1e7),
-                               "evaluations of the long-run model", false),
-            member<SearchSpec>(&SearchSpec::relative_precision, "relative_precision", "", "1",
-                               closed(1e-15, 0.1), "of the variables, relative to their bounds", false)};
-  }
-};
-template <>
-struct StructFields<ConfirmationSpec> {
-  static std::vector<Field> fields() {
-    return {member<ConfirmationSpec>(&ConfirmationSpec::replications, "replications", "", "1",
-                                     closed(2, 100'000), "replications of baseline and best", false),
-            member<ConfirmationSpec>(&ConfirmationSpec::confidence, "confidence", "", "1",
-                                     closed(0.5, 0.9999), "confidence of the interval of the saving", false)};
-  }
-};
-template <>
-struct StructFields<StudySpec> {
-  static std::vector<Field> fields() {
-    Field variables = member<StudySpec>(&StudySpec::variables, "variables", "", "-", no_range(),
-                                        "what the study may choose");
-    variables.min_length = 1;
-    variables.max_length = 100;
-    return {member<StudySpec>(&StudySpec::name, "name", "", "-", no_range(), "name of the study"),
-            member<StudySpec>(&StudySpec::scenario, "scenario", "", "-", no_range(),
-                              "scenario file, relative to this file"),
-            std::move(variables),
-            member<StudySpec>(&StudySpec::objective, "objective", "", "-", no_range(), "what is improved"),
-            member<StudySpec>(&StudySpec::search, "search", "", "-", no_range(),
-                              "stage one: the long-run model", false),
-            member<StudySpec>(&StudySpec::confirmation, "confirmation", "", "-", no_range(),
-                              "stage two: simulation under common random numbers", false)};
-  }
-};
-
-}  // namespace verstat::models
+#include "models/catalogue/closest.h"
+#include "sim/kernel/output_analysis.h"
+#include "sim/kernel/random_stream.h"
 
 namespace verstat::optimize {
 
@@ -88,127 +18,565 @@ using scenarios::Change;
 using scenarios::InputError;
 using scenarios::Scenario;
 
-StudySpec load_study(const json& study) {
-  StudySpec spec;
-  const auto fields = models::StructFields<StudySpec>::fields();
-  try {
-    json named = study;
-    if (named.is_object()) named.erase("$schema");
-    models::read_fields(&spec, fields, scenarios::to_value(named));
-    models::check_fields(&spec, fields);
-  } catch (const models::DomainError& e) {
-    throw InputError("/" + e.input(), (e.input().empty() ? "the study" : "/") + std::string(e.what()));
-  }
-  if (spec.objective.kpi != "cost_per_part")
-    throw InputError("/objective/kpi",
-                     fmt::format("/objective/kpi = \"{}\", the long-run model knows \"cost_per_part\"",
-                                 spec.objective.kpi.substr(0, 100)));
-  if (!spec.search.algorithm.empty() && !known_algorithm(spec.search.algorithm))
-    throw InputError(
-        "/search/algorithm",
-        fmt::format("/search/algorithm = \"{}\", must be an NLopt algorithm without derivatives such as "
-                    "LN_BOBYQA, LN_COBYLA, GN_DIRECT_L or GN_CRS2_LM, or be left out",
-                    spec.search.algorithm.substr(0, 100)));
-  for (std::size_t k = 0; k < spec.variables.size(); ++k)
-    if (!(spec.variables[k].low < spec.variables[k].high))
-      throw InputError(fmt::format("/variables/{}/low", k),
-                       fmt::format("/variables/{}/low = {}, must be below high = {}", k,
-                                   spec.variables[k].low, spec.variables[k].high));
-  return spec;
-}
-
 namespace {
 
-std::vector<std::string> tokens_of(const std::string& pointer) {
-  std::vector<std::string> tokens;
-  for (json::json_pointer p(pointer); !p.empty(); p.pop_back()) tokens.insert(tokens.begin(), p.back());
-  return tokens;
+constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+
+std::optional<double> finite(double value) {
+  return std::isfinite(value) ? std::optional(value) : std::nullopt;
 }
 
-// Where the variables stand in the scenario: moving one costs an assignment, not a parse.
-std::vector<double*> addresses(const StudySpec& study, Scenario& scenario) {
-  std::vector<double*> all;
-  for (std::size_t k = 0; k < study.variables.size(); ++k) {
-    const Variable& v = study.variables[k];
-    double* address = nullptr;
-    try {
-      address = models::locate_in_fields(&scenario, scenarios::scenario_fields(), tokens_of(v.pointer));
-    } catch (const json::exception&) {
-      // No JSON pointer at all: said below.
-    }
-    if (address == nullptr)
-      throw InputError(
-          fmt::format("/variables/{}/pointer", k),
-          fmt::format("/variables/{}/pointer = \"{}\", leads to no continuous number of the scenario", k,
-                      v.pointer.substr(0, 200)));
-    all.push_back(address);
+// The stages of one study share what they have found.
+class Run {
+ public:
+  Run(Problem& problem, Ledger& ledger, const StudyTools& tools)
+      : problem_(problem), study_(problem.study()), ledger_(ledger), tools_(tools) {
+    seed_ = problem.typed_scenario_at(start()).simulation.seed.value;
+    for (const ObjectiveSpec& o : study_.objectives) column_of(o.kpi);
+    for (const Condition& c : problem.conditions())
+      if (c.kind == Condition::Kind::kpi) column_of(c.item);
+    if (study_.robust.samples > 0) make_samples();
   }
-  return all;
-}
+
+  StudyAnswer answer() {
+    answer_.baseline = problem_.baseline();
+    answer_.not_covered = problem_.not_covered();
+    if (covered()) {
+      const Look look = problem_.look_at_baseline();
+      answer_.baseline_value = finite(look.objectives.at(0));
+      for (const Checked& c : look.conditions)
+        answer_.baseline_feasible = answer_.baseline_feasible && c.margin >= -margin_tolerance;
+    }
+    try {
+      stages();
+    } catch (const Interrupted& why) {
+      answer_.interrupted = why.what();
+      // Before stage two has judged anything, the best of stage one stands.
+      if (!answer_.best && answer_.analytic && answer_.analytic->feasible) answer_.best = answer_.analytic;
+    }
+    return std::move(answer_);
+  }
+
+ private:
+  [[nodiscard]] bool covered() const { return problem_.not_covered().empty(); }
+  [[nodiscard]] double sign(std::size_t objective) const {
+    return study_.objectives[objective].direction == Direction::maximize ? -1 : 1;
+  }
+  [[nodiscard]] std::vector<double> start() const {
+    std::vector<double> x = problem_.baseline();
+    for (std::size_t k = 0; k < x.size(); ++k)
+      x[k] = std::clamp(x[k], problem_.dimensions()[k].bounds.low, problem_.dimensions()[k].bounds.high);
+    return x;
+  }
+  std::size_t column_of(const std::string& kpi) {
+    const auto found = std::find(columns_.begin(), columns_.end(), kpi);
+    if (found != columns_.end()) return static_cast<std::size_t>(found - columns_.begin());
+    columns_.push_back(kpi);
+    return columns_.size() - 1;
+  }
+
+  void make_samples() {
+    const auto& inputs = study_.uncertain;
+    // Latin hypercube: every input takes every n-th part of its range once.
+    const auto n = static_cast<std::size_t>(study_.robust.samples);
+    std::vector<std::vector<Shift>> samples(n);
+    for (const UncertainSpec& input : inputs) {
+      sim::RandomStream stream(seed_, input.pointer, "uncertain input");
+      std::vector<std::size_t> order(n);
+      for (std::size_t k = 0; k < n; ++k) order[k] = k;
+      for (std::size_t k = n; k > 1; --k) std::swap(order[k - 1], order[stream.below(k)]);
+      for (std::size_t k = 0; k < n; ++k) {
+        const double u = (static_cast<double>(order[k]) + stream.uniform()) / static_cast<double>(n);
+        samples[k].push_back({input.pointer, 1 + input.relative * (2 * u - 1)});
+      }
+    }
+    for (auto& shifts : samples)
+      samples_.push_back(std::make_unique<Problem>(study_, problem_.scenario(), std::move(shifts)));
+  }
+
+  // ------------------------------------------------------------------------------------- stage one
+  Problem::Outcome long_run(const std::vector<double>& x) {
+    if (samples_.empty()) return problem_.evaluate(x);
+    Problem::Outcome all;
+    for (const auto& sample : samples_) {
+      const Problem::Outcome one = sample->evaluate(x);
+      if (all.objectives.empty()) {
+        all = one;
+        continue;
+      }
+      const bool worst = study_.robust.measure == RobustMeasure::worst;
+      for (std::size_t k = 0; k < all.objectives.size(); ++k)
+        all.objectives[k] =
+            worst ? std::max(all.objectives[k], one.objectives[k]) : all.objectives[k] + one.objectives[k];
+      for (std::size_t k = 0; k < all.margins.size(); ++k)
+        all.margins[k] = std::min(all.margins[k], one.margins[k]);
+    }
+    if (study_.robust.measure == RobustMeasure::mean)
+      for (double& objective : all.objectives) objective /= static_cast<double>(samples_.size());
+    return all;
+  }
+
+  // Objectives and margins of a point in the long run: a trial.
+  ManyMeasured analytic(const std::vector<double>& x) {
+    const std::size_t objectives = study_.objectives.size();
+    const auto& outcome = ledger_.ask({.stage = "analytic", .x = x}, [&](Trial& trial) {
+      const Problem::Outcome o = long_run(x);
+      trial.outcome = o.objectives;
+      trial.outcome.insert(trial.outcome.end(), o.margins.begin(), o.margins.end());
+      trial.objective = finite(shown_value(study_.objective, o.objectives[0]));
+      trial.feasible = violation({o.objectives[0], o.margins}) == 0;
+    });
+    ManyMeasured m{{outcome.begin(), outcome.begin() + static_cast<std::ptrdiff_t>(objectives)},
+                   {outcome.begin() + static_cast<std::ptrdiff_t>(objectives), outcome.end()}};
+    if (!simulating_) {
+      ++asked_;
+      note(x, {m.objectives[0], m.margins}, "analytic");
+    }
+    if (!simulating_) report(objectives > 1 ? "front" : "analytic", asked_, study_.search.max_evaluations);
+    return m;
+  }
+
+  void note(const std::vector<double>& x, const Measured& m, const std::string& stage) {
+    const SearchResult candidate{.x = x, .measured = m, .feasible = violation(m) == 0};
+    if (!incumbent_.x.empty() && !better(candidate, incumbent_)) return;
+    incumbent_ = candidate;
+    if (candidate.feasible) answer_.best = Candidate{x, shown_value(study_.objective, m.value), true, stage};
+  }
+
+  void report(const std::string& stage, std::int64_t trials, std::int64_t of) {
+    if (!tools_.progress) return;
+    tools_.progress({stage, trials, of, answer_.best ? std::optional(answer_.best->value) : std::nullopt});
+  }
+
+  void stages() {
+    const SearchOptions search = search_options(study_, seed_);
+    if (study_.objectives.size() > 1) {
+      make_front(search);
+      return;
+    }
+    std::vector<std::vector<double>> starts{start()};
+    if (covered()) {
+      const SearchResult found = minimize_mixed(
+          [&](const std::vector<double>& x) {
+            const ManyMeasured m = analytic(x);
+            return Measured{m.objectives[0], m.margins};
+          },
+          problem_.dimensions(), start(), search);
+      answer_.analytic =
+          Candidate{found.x, shown_value(study_.objective, found.measured.value), found.feasible, "analytic"};
+      starts.insert(starts.begin(), found.x);
+      if (starts[0] == starts[1]) starts.pop_back();
+    }
+    if (study_.simulation.trials > 0) {
+      answer_.best.reset();  // what the long run believed is judged again
+      incumbent_ = {};
+      simulating_ = true;
+      refine_and_choose(starts);
+    }
+  }
+
+  // ------------------------------------------------------------------------- stages two and three
+  // Replications of a point: a trial. Points that are no shop, or cannot be simulated, have no values.
+  Rows simulate(const std::string& stage, const std::vector<double>& x, std::int64_t first,
+                std::int64_t count, std::uint64_t seed) {
+    const Trial question{.stage = stage, .x = x, .first_replication = first, .replications = count};
+    const auto& outcome = ledger_.ask(question, [&](Trial& trial) {
+      trial.outcome.assign(static_cast<std::size_t>(count) * columns_.size(), missing);
+      try {
+        Scenario scenario = scenarios::load(problem_.scenario_at(x));
+        scenario.simulation.seed.value = seed;
+        const shop::RunResult run = tools_.simulate(scenario, static_cast<std::uint64_t>(first), count);
+        std::size_t at = 0;
+        for (const auto& values : run.values)
+          for (const std::string& column : columns_) {
+            const auto k = run.index_of(column);
+            trial.outcome[at++] = k ? values[*k].value_or(missing) : missing;
+          }
+        const auto k = run.index_of(study_.objective.kpi);
+        if (k) {
+          trial.objective = run.estimates[*k].mean;
+          trial.half_width = run.estimates[*k].half_width;
+        }
+      } catch (const Interrupted&) {
+        throw;
+      } catch (const InputError&) {
+        trial.feasible = false;
+      } catch (const models::ModelError&) {
+        trial.feasible = false;
+      }
+    });
+    Rows rows;
+    for (std::size_t r = 0; r < static_cast<std::size_t>(count); ++r)
+      rows.emplace_back(outcome.begin() + static_cast<std::ptrdiff_t>(r * columns_.size()),
+                        outcome.begin() + static_cast<std::ptrdiff_t>((r + 1) * columns_.size()));
+    return rows;
+  }
+
+  NoisyProblem noisy() {
+    NoisyProblem p{.dimensions = problem_.dimensions(),
+                   .sample =
+                       [this](const std::vector<double>& x, std::int64_t first, std::int64_t count) {
+                         Rows rows = simulate("simulation", x, first, count, seed_);
+                         ++asked_;
+                         report("simulation", asked_, study_.simulation.trials);
+                         return rows;
+                       },
+                   .objective = 0,
+                   .sign = sign(0)};
+    for (const Condition& c : problem_.conditions())
+      if (c.kind == Condition::Kind::kpi)
+        p.constraints.push_back({column_of(c.item), c.at_most, c.allowed, c.confidence});
+    p.exact_margins = [this](const std::vector<double>& x) {
+      const Problem::Outcome o = problem_.evaluate(x);
+      std::vector<double> exact;
+      for (std::size_t k = 0; k < o.margins.size(); ++k)
+        if (problem_.conditions()[k].kind != Condition::Kind::kpi) exact.push_back(o.margins[k]);
+      return exact;
+    };
+    return p;
+  }
+
+  // The long run solved again with what simulation adds to it: at every plan it proposes the difference
+  // between simulation and long run, of the objective and of every simulated constraint, is taken over for
+  // all plans with the same discrete settings (output space mapping: Bandler et al., IEEE Trans. MTT 52
+  // (2004) 337). A setting not simulated yet is believed as the long run has it, and so is tried when it
+  // might pay. Few simulations bring the start of stage two to the right side of its constraints. Returns the
+  // plans proposed, best first.
+  std::vector<SearchResult> correct_long_run(const NoisyProblem& problem, std::vector<double> start) {
+    struct Correction {
+      double objective = 0;
+      std::vector<double> margins;
+    };
+    std::map<std::vector<double>, Correction> corrections;
+    const auto settings_of = [&](const std::vector<double>& x) {
+      std::vector<double> key;
+      for (std::size_t k = 0; k < x.size(); ++k)
+        if (problem_.dimensions()[k].discrete) key.push_back(x[k]);
+      return key;
+    };
+    const auto corrected = [&](const std::vector<double>& x) {
+      const ManyMeasured m = analytic(x);
+      Measured one{m.objectives[0], m.margins};
+      const auto known = corrections.find(settings_of(x));
+      if (known == corrections.end()) return one;
+      one.value += known->second.objective;
+      for (std::size_t k = 0; k < one.margins.size(); ++k) one.margins[k] += known->second.margins[k];
+      return one;
+    };
+    const std::int64_t n0 = study_.simulation.first_replications;
+    std::vector<SearchResult> proposed;
+    std::vector<double> x = std::move(start);
+    constexpr int most_rounds = 10;
+    for (int round = 0; round < most_rounds; ++round) {
+      // In the blocks in which the refinement asks, so that its questions are answered already.
+      Rows rows = problem.sample(x, 0, n0);
+      for (std::int64_t level = 1; level < study_.simulation.levels; ++level) {
+        const auto have = static_cast<std::int64_t>(rows.size());
+        const Rows more = problem.sample(x, have, have);
+        rows.insert(rows.end(), more.begin(), more.end());
+      }
+      SearchResult now{.x = x, .measured = judge(problem, rows, x)};
+      now.feasible = violation(now.measured) == 0;
+      proposed.push_back(now);
+      const ManyMeasured believed = analytic(x);
+      Correction c{.objective = now.measured.value - believed.objectives[0],
+                   .margins = std::vector<double>(believed.margins.size(), 0.0)};
+      if (!std::isfinite(c.objective)) break;
+      // A third of the allowance for noise on top, so that the plan keeps its constraints on other samples,
+      // too.
+      const std::vector<double> allowances = confidence_allowances(problem, rows);
+      std::size_t noisy_constraint = 0;
+      for (std::size_t k = 0; k < c.margins.size(); ++k)
+        if (problem_.conditions()[k].kind == Condition::Kind::kpi) {
+          c.margins[k] =
+              now.measured.margins[noisy_constraint] - believed.margins[k] - allowances[noisy_constraint];
+          ++noisy_constraint;
+        }
+      corrections[settings_of(x)] = c;
+      SearchOptions search = search_options(study_, seed_);
+      search.max_evaluations = std::max(200, search.max_evaluations / 4);
+      std::vector<double> next = minimize_mixed(corrected, problem_.dimensions(), x, search).x;
+      const bool same = std::any_of(proposed.begin(), proposed.end(), [&](const SearchResult& p) {
+        bool close = settings_of(p.x) == settings_of(next);
+        for (std::size_t k = 0; close && k < next.size(); ++k) {
+          const Bounds& b = problem_.dimensions()[k].bounds;
+          close = std::abs(p.x[k] - next[k]) <= 1e-4 * (b.high - b.low);
+        }
+        return close;
+      });
+      if (same) break;
+      x = std::move(next);
+    }
+    std::stable_sort(proposed.begin(), proposed.end(), better);
+    return proposed;
+  }
+
+  void refine_and_choose(std::vector<std::vector<double>> starts) {
+    asked_ = 0;
+    const NoisyProblem problem = noisy();
+    std::vector<SearchResult> proposed;
+    if (covered() && samples_.empty()) {
+      proposed = correct_long_run(problem, starts.front());
+      starts.clear();
+      for (const SearchResult& p : proposed) starts.push_back(p.x);
+    }
+    const std::size_t most_starts = 2;
+    std::vector<std::vector<double>> from(
+        starts.begin(), starts.begin() + static_cast<std::ptrdiff_t>(std::min(starts.size(), most_starts)));
+    const Refined refined = refine(problem, from,
+                                   {.trials = study_.simulation.trials,
+                                    .first_replications = study_.simulation.first_replications,
+                                    .levels = study_.simulation.levels,
+                                    .neighbourhood = study_.simulation.neighbourhood,
+                                    .seed = seed_});
+    std::vector<SearchResult> candidates = refined.finalists;
+    for (const SearchResult& p : proposed)
+      if (std::none_of(candidates.begin(), candidates.end(),
+                       [&](const SearchResult& r) { return r.x == p.x; }))
+        candidates.push_back(p);
+    std::stable_sort(candidates.begin(), candidates.end(), better);
+    for (const SearchResult& r : candidates) note(r.x, r.measured, "simulation");
+    std::vector<std::vector<double>> finalists;
+    for (const SearchResult& r : candidates)
+      if (finalists.size() < static_cast<std::size_t>(study_.choice.finalists) &&
+          (r.feasible || finalists.empty()))
+        finalists.push_back(r.x);
+    choose(problem, finalists);
+  }
+
+  void choose(const NoisyProblem& problem, const std::vector<std::vector<double>>& points) {
+    const ChoiceSpec& spec = study_.choice;
+    const std::uint64_t fresh = stage_seed(seed_, "choice");
+    std::int64_t asked = 0;
+    const auto rows = [&](std::size_t i, std::int64_t first, std::int64_t count) {
+      Rows r = simulate("choice", points[i], first, count, fresh);
+      report("choice", ++asked, 0);
+      return r;
+    };
+    Choice choice{.confidence = spec.confidence};
+    // First the constraints, on samples that double until they are clear or the budget ends. The looks share
+    // the confidence between them.
+    std::vector<Rows> samples(points.size());
+    std::vector<std::size_t> in;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      samples[i] = rows(i, 0, spec.first_replications);
+      Measured m = judge(problem, samples[i], points[i]);
+      while (!problem.constraints.empty() && violation(m) > 0 && std::isfinite(m.value) &&
+             static_cast<std::int64_t>(2 * samples[i].size()) <= spec.max_replications &&
+             could_be_met(problem, samples[i])) {
+        const auto have = static_cast<std::int64_t>(samples[i].size());
+        Rows more = rows(i, have, have);
+        samples[i].insert(samples[i].end(), more.begin(), more.end());
+        m = judge(problem, samples[i], points[i]);
+      }
+      Finalist f{.x = points[i], .feasible = violation(m) == 0};
+      if (f.feasible) in.push_back(i);
+      fill(f, samples[i]);
+      choice.finalists.push_back(std::move(f));
+    }
+    if (in.empty()) {
+      answer_.choice = std::move(choice);
+      return;
+    }
+    double typical = 0;
+    for (const std::size_t i : in)
+      typical = std::max(typical, std::abs(choice.finalists[i].mean.value_or(0)));
+    choice.indifference = spec.indifference * (typical > 0 ? typical : 1);
+    const Ranking ranking = select_smallest(
+        in.size(),
+        [&](std::size_t system, std::int64_t first, std::int64_t count) {
+          const std::size_t i = in[system];
+          std::vector<double> values;
+          for (std::int64_t r = first; r < first + count; ++r) {
+            if (r >= static_cast<std::int64_t>(samples[i].size())) {
+              Rows more = rows(i, r, first + count - r);
+              samples[i].insert(samples[i].end(), more.begin(), more.end());
+            }
+            const double value = samples[i][static_cast<std::size_t>(r)][0];
+            // A replication without a value ("cost per part" of no part) is as bad as can be.
+            values.push_back(std::isfinite(value) ? sign(0) * value : 1e6 * choice.indifference);
+          }
+          return values;
+        },
+        {.confidence = spec.confidence,
+         .indifference = choice.indifference,
+         .first_replications = spec.first_replications,
+         .max_replications = std::max(spec.max_replications, spec.first_replications),
+         .batch = 5});
+    for (std::size_t s = 0; s < in.size(); ++s) {
+      Finalist& f = choice.finalists[in[s]];
+      f.survived = ranking.systems[s].survived;
+      fill(f, samples[in[s]]);
+    }
+    choice.best = in[ranking.best];
+    choice.decided = ranking.decided;
+    const Finalist& best = choice.finalists[choice.best];
+    answer_.best = Candidate{best.x, best.mean.value_or(missing), true, "choice"};
+    answer_.choice = std::move(choice);
+  }
+
+  // False when a constraint is violated with confidence: more replications would not help.
+  static bool could_be_met(const NoisyProblem& problem, const Rows& rows) {
+    NoisyProblem hopeful = problem;
+    hopeful.exact_margins = nullptr;
+    // The other side of the interval: allowed values moved by twice the half-width.
+    for (NoisyConstraint& c : hopeful.constraints) {
+      sim::Tally t;
+      for (const auto& row : rows)
+        if (std::isfinite(row[c.column])) t.add(row[c.column]);
+      if (t.count() < 2) return false;
+      const double half = sim::confidence_interval(t, 2 * c.confidence - 1).half_width;
+      if (c.at_most ? t.mean() - half > c.allowed : t.mean() + half < c.allowed) return false;
+    }
+    return true;
+  }
+
+  void fill(Finalist& f, const Rows& rows) const {
+    std::vector<std::optional<double>> values;
+    for (const auto& row : rows) values.push_back(finite(row[0]));
+    const shop::Estimate e = shop::estimate(values, study_.choice.confidence);
+    f.mean = e.mean;
+    f.half_width = e.half_width;
+    f.replications = static_cast<std::int64_t>(rows.size());
+  }
+
+  // ------------------------------------------------------------------------------ several objectives
+  void make_front(const SearchOptions& search) {
+    const std::size_t m = study_.objectives.size();
+    const NoisyProblem noise = noisy();
+    const std::int64_t sample = study_.simulation.first_replications;
+    const auto measure = [&](const std::vector<double>& x) -> ManyMeasured {
+      if (covered()) return analytic(x);
+      NoisyProblem one = noise;
+      ManyMeasured all;
+      const Rows rows = noise.sample(x, 0, sample);
+      for (std::size_t k = 0; k < m; ++k) {
+        one.objective = column_of(study_.objectives[k].kpi);
+        one.sign = sign(k);
+        const Measured judged = judge(one, rows, x);
+        all.objectives.push_back(judged.value);
+        all.margins = judged.margins;
+      }
+      note(x, {all.objectives[0], all.margins}, "simulation");
+      return all;
+    };
+    SearchOptions options = search;
+    // The budget is that of the whole front.
+    const std::int64_t all = covered() ? study_.search.max_evaluations : study_.simulation.trials;
+    std::int64_t searches = static_cast<std::int64_t>(m);
+    std::int64_t combinations = 1;
+    for (std::size_t k = 1; k < m; ++k) combinations *= study_.front.points;
+    searches += combinations;
+    options.max_evaluations = static_cast<int>(std::max<std::int64_t>(10, all / searches));
+    const Front front = pareto_front(measure, problem_.dimensions(), start(), m,
+                                     static_cast<int>(study_.front.points), options);
+    if (front.points.empty()) return;
+    FrontAnswer result{.hypervolume = front.hypervolume, .knee = front.knee};
+    for (std::size_t k = 0; k < m; ++k) result.reference.push_back(sign(k) * front.reference[k]);
+    for (const FrontPoint& p : front.points) {
+      FrontEstimate e{.x = p.x};
+      for (std::size_t k = 0; k < m; ++k) e.objectives.push_back(sign(k) * p.objectives[k]);
+      result.points.push_back(std::move(e));
+    }
+    const FrontPoint& chosen = front.points[front.knee];
+    answer_.best = Candidate{chosen.x, shown_value(study_.objective, chosen.objectives[0]), true,
+                             covered() ? "analytic" : "simulation"};
+    answer_.analytic = answer_.best;
+    answer_.front = result;
+    if (study_.front.replications > 0) {
+      std::int64_t done = 0;
+      for (FrontEstimate& e : answer_.front->points) {
+        const Rows rows = simulate("front", e.x, 0, study_.front.replications, stage_seed(seed_, "front"));
+        report("front simulated", ++done, static_cast<std::int64_t>(answer_.front->points.size()));
+        for (std::size_t k = 0; k < m; ++k) {
+          std::vector<std::optional<double>> values;
+          for (const auto& row : rows) values.push_back(finite(row[column_of(study_.objectives[k].kpi)]));
+          const shop::Estimate estimate = shop::estimate(values, study_.confirmation.confidence);
+          e.means.push_back(estimate.mean);
+          e.half_widths.push_back(estimate.half_width);
+        }
+      }
+    }
+  }
+
+  Problem& problem_;
+  const StudySpec& study_;
+  Ledger& ledger_;
+  const StudyTools& tools_;
+  std::uint64_t seed_ = 0;
+  std::vector<std::string> columns_;  // KPIs that trials keep, objectives first
+  std::vector<std::unique_ptr<Problem>> samples_;
+  StudyAnswer answer_;
+  SearchResult incumbent_;
+  std::int64_t asked_ = 0;
+  bool simulating_ = false;  // stage one is over
+};
 
 }  // namespace
 
-std::vector<Change> changes_at(const StudySpec& study, const std::vector<double>& values) {
-  std::vector<Change> changes;
-  for (std::size_t k = 0; k < values.size(); ++k) changes.push_back({study.variables[k].pointer, values[k]});
-  return changes;
-}
-
-AnalyticOutcome optimize_analytic(const StudySpec& study, const json& scenario_text) {
-  Scenario scenario = scenarios::load(scenario_text);
-  // Valid at both ends of every variable: inside, the ranges of numbers hold as well.
-  for (std::size_t k = 0; k < study.variables.size(); ++k)
-    for (const auto& [end, value] :
-         {std::pair{"low", study.variables[k].low}, std::pair{"high", study.variables[k].high}}) {
-      (void)addresses(study, scenario);
-      try {
-        (void)scenarios::load(scenarios::apply(scenario_text, {{study.variables[k].pointer, value}}));
-      } catch (const InputError& e) {
+void check_study(const Problem& problem) {
+  const StudySpec& study = problem.study();
+  if (!problem.not_covered().empty() && study.simulation.trials == 0)
+    throw InputError(
+        "/simulation/trials",
+        fmt::format("/simulation/trials = 0, but {}: only simulation can tell, so it needs trials",
+                    problem.not_covered()));
+  if (study.robust.samples > 0 && study.uncertain.empty())
+    throw InputError("/robust", "/robust: say in /uncertain which inputs are uncertain, and by how much");
+  for (const UncertainSpec& input : study.uncertain)
+    (void)Problem(study, problem.scenario(), {{input.pointer, 1.0}});
+  // KPIs that are only simulated must exist in the simulation, and the confirmation simulates the first.
+  std::vector<std::string> names;
+  for (const auto& info : shop::kpi_infos(scenarios::load(problem.scenario()))) names.push_back(info.name);
+  const auto check = [&](const std::string& kpi, const std::string& at) {
+    if (std::find(names.begin(), names.end(), kpi) == names.end())
+      throw InputError(
+          at, fmt::format("{} = \"{}\", there is no such KPI in a run of the scenario; closest: \"{}\"", at,
+                          kpi.substr(0, 100), models::closest(kpi, names)));
+  };
+  check(study.objective.kpi, "/objective/kpi");
+  const bool simulates = study.simulation.trials > 0 || study.front.replications > 0;
+  for (std::size_t k = 1; k < study.objectives.size(); ++k)
+    if (simulates) check(study.objectives[k].kpi, fmt::format("/objectives/{}/kpi", k));
+  for (const Condition& c : problem.conditions())
+    if (c.kind == Condition::Kind::kpi && (study.simulation.trials > 0 || !c.long_run_kpi))
+      check(c.item, "/constraints/kpi");
+  if (study.simulation.trials == 0)
+    for (const Condition& c : problem.conditions())
+      if (c.kind == Condition::Kind::kpi && !c.long_run_kpi)
         throw InputError(
-            fmt::format("/variables/{}/{}", k, end),
-            fmt::format("/variables/{}/{} = {}, is not valid in the scenario: {}", k, end, value, e.what()));
-      }
-    }
-  const std::vector<double*> at = addresses(study, scenario);
-  AnalyticOutcome outcome;
-  for (const double* value : at) outcome.baseline.push_back(*value);
-  const LongRunModel model(scenario);
-  outcome.baseline_value = model.cost_per_part();
-
-  std::vector<Bounds> bounds;
-  std::vector<double> start = outcome.baseline;
-  for (std::size_t k = 0; k < at.size(); ++k) {
-    bounds.push_back({study.variables[k].low, study.variables[k].high});
-    start[k] = std::clamp(start[k], bounds[k].low, bounds[k].high);
-  }
-  const auto objective = [&](const std::vector<double>& x) {
-    for (std::size_t k = 0; k < x.size(); ++k) *at[k] = x[k];
-    return model.cost_per_part();
-  };
-  outcome.search = minimize(objective, bounds, start,
-                            {.algorithm = study.search.algorithm,
-                             .max_evaluations = static_cast<int>(study.search.max_evaluations),
-                             .relative_precision = study.search.relative_precision,
-                             .seed = scenario.simulation.seed.value});
-  return outcome;
+            "/simulation/trials",
+            fmt::format("/simulation/trials = 0, but only simulation knows \"{}\" of a constraint", c.item));
 }
 
-Confirmation confirm(const StudySpec& study, const json& scenario_text, const std::vector<double>& best,
-                     int threads, const shop::Progress& progress) {
-  Scenario baseline = scenarios::load(scenario_text);
-  Scenario changed = scenarios::load(scenarios::apply(scenario_text, changes_at(study, best)));
-  baseline.simulation.replications = study.confirmation.replications;
-  changed.simulation.replications = study.confirmation.replications;
-  const std::int64_t all = 2 * study.confirmation.replications;
-  const auto part = [&](std::int64_t before) -> shop::Progress {
-    if (!progress) return {};
-    return [&progress, before, all](std::int64_t done, std::int64_t) { progress(before + done, all); };
-  };
-  Confirmation result;
-  result.baseline = shop::run_scenario(baseline, threads, part(0));
-  result.best = shop::run_scenario(changed, threads, part(study.confirmation.replications));
-  result.saving = shop::paired_difference(result.best, result.baseline, study.objective.kpi,
-                                          study.confirmation.confidence);
+StudyAnswer run_study(Problem& problem, Ledger& ledger, const StudyTools& tools) {
+  return Run(problem, ledger, tools).answer();
+}
+
+std::uint64_t stage_seed(std::uint64_t seed, const std::string& stage) {
+  return sim::RandomStream(seed, "study", stage).bits();
+}
+
+SearchOptions search_options(const StudySpec& study, std::uint64_t seed) {
+  return {.algorithm = study.search.algorithm,
+          .local_algorithm = study.search.local_algorithm,
+          .max_evaluations = static_cast<int>(study.search.max_evaluations),
+          .relative_precision = study.search.relative_precision,
+          .starts = static_cast<int>(study.search.starts),
+          .seed = seed};
+}
+
+std::vector<Change> confirmation_changes(const StudySpec& study, std::uint64_t seed) {
+  return {{"/simulation/seed", std::to_string(stage_seed(seed, "confirmation"))},
+          {"/simulation/replications", study.confirmation.replications}};
+}
+
+Confirmation confirm(const StudySpec& study, shop::RunResult baseline, shop::RunResult best) {
+  Confirmation result{.baseline = std::move(baseline), .best = std::move(best)};
+  const bool maximize = study.objective.direction == Direction::maximize;
+  const shop::RunResult& from = maximize ? result.baseline : result.best;
+  const shop::RunResult& to = maximize ? result.best : result.baseline;
+  result.saving = shop::paired_difference(from, to, study.objective.kpi, study.confirmation.confidence);
   if (!result.saving.mean || !result.saving.half_width ||
       std::abs(*result.saving.mean) <= *result.saving.half_width)
     result.verdict = "not distinguishable";

@@ -94,49 +94,78 @@ std::int64_t kpi_id(SQLite::Database& db, const KpiInfo& kpi) {
 }  // namespace
 
 // An advisory lock on a file beside the database, released by the system even when the process is killed.
+// Held for one operation at a time, so that a study of many hours leaves room for others.
 class Writer::Lock {
  public:
-  explicit Lock(const std::filesystem::path& database) {
+  explicit Lock(const std::filesystem::path& database) : database_(database) {
     const std::string file = database.string() + ".lock";
     descriptor_ = ::open(file.c_str(), O_CREAT | O_RDWR | O_CLOEXEC, 0644);
     if (descriptor_ < 0)
       throw StoreError(
           fmt::format("database {}: cannot write here ({})", database.string(), std::strerror(errno)));
-    constexpr int tries = 600;
-    for (int k = 0; ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0; ++k) {
-      if (errno != EWOULDBLOCK || k == tries) {
-        ::close(descriptor_);
-        throw StoreError(
-            fmt::format("database {}: another Verstat is writing to it; wait for it or choose another --db",
-                        database.string()));
-      }
-      std::this_thread::sleep_for(std::chrono::milliseconds(100));
-    }
   }
   Lock(const Lock&) = delete;
   Lock& operator=(const Lock&) = delete;
   ~Lock() { ::close(descriptor_); }
 
+  void take() {
+    constexpr int tries = 600;
+    for (int k = 0; ::flock(descriptor_, LOCK_EX | LOCK_NB) != 0; ++k) {
+      if (errno == EINTR) continue;
+      if (errno != EWOULDBLOCK || k == tries)
+        throw StoreError(
+            fmt::format("database {}: another Verstat is writing to it; wait for it or choose another --db",
+                        database_.string()));
+      std::this_thread::sleep_for(std::chrono::milliseconds(100));
+    }
+  }
+  void give_back() noexcept { ::flock(descriptor_, LOCK_UN); }
+
  private:
+  std::filesystem::path database_;
   int descriptor_ = -1;
 };
 
+// Runs `body` as the only writer, and names the file in whatever goes wrong.
+template <class Body>
+auto Writer::alone(Body&& body) const {
+  struct Held {
+    explicit Held(Lock& l) : lock(l) { lock.take(); }
+    Held(const Held&) = delete;
+    Held& operator=(const Held&) = delete;
+    ~Held() { lock.give_back(); }
+    Lock& lock;
+  };
+  const Held held(*lock_);
+  return naming(file_, std::forward<Body>(body));
+}
+
 Writer::Writer(const std::filesystem::path& file) : file_(file), lock_(std::make_unique<Lock>(file)) {
-  naming(file_, [&] {
+  alone([&] {
     db_ = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
                                              busy_timeout_ms);
     db_->exec("PRAGMA journal_mode = WAL");
-    // FULL: a finished trial survives a power cut.
-    db_->exec("PRAGMA synchronous = FULL");
-    db_->exec("PRAGMA foreign_keys = ON");
     db_->exec("PRAGMA journal_size_limit = 67108864");
-    migrate(*db_);
+    set_durable(true);
+    migrate(*db_, file);
+    db_->exec("PRAGMA foreign_keys = ON");
   });
 }
-Writer::~Writer() = default;
+// Closing the last connection checkpoints: alone, too.
+Writer::~Writer() {
+  try {
+    alone([&] { db_.reset(); });
+  } catch (const StoreError&) {
+    // Another writer does not let go: the next one to open the file checkpoints.
+  }
+}
+
+void Writer::set_durable(bool durable) {
+  naming(file_, [&] { db_->exec(durable ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL"); });
+}
 
 std::int64_t Writer::add_run(const Run& run) {
-  return naming(file_, [&] {
+  return alone([&] {
     SQLite::Transaction transaction(*db_, SQLite::TransactionBehavior::IMMEDIATE);
     SQLite::Statement add(
         *db_,
@@ -185,12 +214,12 @@ std::int64_t Writer::add_run(const Run& run) {
 }
 
 std::int64_t Writer::begin_study(const Study& study) {
-  return naming(file_, [&] {
+  return alone([&] {
     SQLite::Transaction transaction(*db_, SQLite::TransactionBehavior::IMMEDIATE);
     SQLite::Statement add(
         *db_,
         "INSERT INTO study(name, status, objective, scenario_id, changes, study_text, seed, version, "
-        "platform, created, result) VALUES(?, 'running', ?, ?, ?, ?, ?, ?, ?, ?, '{}')");
+        "platform, created, result, kind) VALUES(?, 'running', ?, ?, ?, ?, ?, ?, ?, ?, '{}', ?)");
     add.bind(1, study.header.name);
     add.bind(2, study.header.objective);
     add.bind(3, scenario_id(*db_, study.header.scenario_name, study.scenario_text));
@@ -200,9 +229,10 @@ std::int64_t Writer::begin_study(const Study& study) {
     add.bind(7, study.header.provenance.version);
     add.bind(8, study.header.provenance.platform);
     add.bind(9, study.header.provenance.created);
+    add.bind(10, study.header.kind);
     add.exec();
     const std::int64_t id = db_->getLastInsertRowid();
-    SQLite::Statement add_variable(*db_, "INSERT INTO study_variable VALUES(?, ?, ?, ?, ?, ?, ?)");
+    SQLite::Statement add_variable(*db_, "INSERT INTO study_variable VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (std::size_t k = 0; k < study.variables.size(); ++k) {
       const Variable& v = study.variables[k];
       add_variable.bind(1, id);
@@ -212,6 +242,8 @@ std::int64_t Writer::begin_study(const Study& study) {
       add_variable.bind(5, v.unit);
       add_variable.bind(6, v.low);
       add_variable.bind(7, v.high);
+      add_variable.bind(8, v.type);
+      add_variable.bind(9, v.options);
       add_variable.exec();
       add_variable.reset();
     }
@@ -221,9 +253,12 @@ std::int64_t Writer::begin_study(const Study& study) {
 }
 
 void Writer::add_trials(std::int64_t study, const std::vector<Trial>& trials) {
-  naming(file_, [&] {
+  alone([&] {
     SQLite::Transaction transaction(*db_, SQLite::TransactionBehavior::IMMEDIATE);
-    SQLite::Statement add(*db_, "INSERT INTO trial VALUES(?, ?, ?, ?, ?, ?)");
+    SQLite::Statement add(
+        *db_,
+        "INSERT INTO trial(study_id, number, stage, variables, objective, feasible, half_width, "
+        "first_replication, replications, outcome) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     for (const Trial& trial : trials) {
       add.bind(1, study);
       add.bind(2, trial.number);
@@ -232,6 +267,11 @@ void Writer::add_trials(std::int64_t study, const std::vector<Trial>& trials) {
       add.bind(4, bits.data(), static_cast<int>(bits.size()));
       bind(add, 5, trial.objective);
       add.bind(6, trial.feasible ? 1 : 0);
+      bind(add, 7, trial.half_width);
+      add.bind(8, trial.first_replication);
+      add.bind(9, trial.replications);
+      const std::string outcome = blob_of(trial.outcome);
+      add.bind(10, outcome.data(), static_cast<int>(outcome.size()));
       add.exec();
       add.reset();
     }
@@ -239,10 +279,32 @@ void Writer::add_trials(std::int64_t study, const std::vector<Trial>& trials) {
   });
 }
 
+void Writer::set_study_run(std::int64_t study, bool baseline, std::int64_t run) {
+  alone([&] {
+    SQLite::Transaction transaction(*db_, SQLite::TransactionBehavior::IMMEDIATE);
+    SQLite::Statement update(
+        *db_, fmt::format("UPDATE study SET {} = ? WHERE id = ?", baseline ? "baseline_run" : "best_run"));
+    update.bind(1, run);
+    update.bind(2, study);
+    update.exec();
+    transaction.commit();
+  });
+}
+
+void Writer::resume_study(std::int64_t study) {
+  alone([&] {
+    SQLite::Transaction transaction(*db_, SQLite::TransactionBehavior::IMMEDIATE);
+    SQLite::Statement update(*db_, "UPDATE study SET status = 'running' WHERE id = ?");
+    update.bind(1, study);
+    if (update.exec() != 1) throw StoreError(fmt::format("has no study {}", study));
+    transaction.commit();
+  });
+}
+
 void Writer::finish_study(std::int64_t study, std::optional<std::int64_t> baseline_run,
                           std::optional<std::int64_t> best_run, const std::string& result,
                           const std::string& status) {
-  naming(file_, [&] {
+  alone([&] {
     SQLite::Transaction transaction(*db_, SQLite::TransactionBehavior::IMMEDIATE);
     SQLite::Statement update(
         *db_, "UPDATE study SET status = ?, baseline_run = ?, best_run = ?, result = ? WHERE id = ?");
@@ -296,7 +358,7 @@ RunHeader run_header(SQLite::Statement& row) {
 constexpr const char* study_columns =
     "study.id, study.name, scenario.name, study.status, study.objective, "
     "(SELECT count(*) FROM trial WHERE trial.study_id = study.id), study.seed, study.version, "
-    "study.platform, study.created";
+    "study.platform, study.created, study.kind";
 StudyHeader study_header(SQLite::Statement& row) {
   return {.id = row.getColumn(0).getInt64(),
           .name = row.getColumn(1).getString(),
@@ -306,7 +368,8 @@ StudyHeader study_header(SQLite::Statement& row) {
           .trials = row.getColumn(5).getInt64(),
           .seed = seed_of(row.getColumn(6)),
           .provenance = {row.getColumn(7).getString(), row.getColumn(8).getString(),
-                         row.getColumn(9).getString()}};
+                         row.getColumn(9).getString()},
+          .kind = row.getColumn(10).getString()};
 }
 
 }  // namespace
@@ -399,34 +462,41 @@ std::optional<Study> Reader::study(std::int64_t id) const {
       q.bind(1, id);
       if (!q.executeStep()) return std::nullopt;
       study.header = study_header(q);
-      study.study_text = q.getColumn(10).getString();
-      study.scenario_text = q.getColumn(11).getString();
-      study.changes = q.getColumn(12).getString();
-      study.baseline_run = integer_or_none(q.getColumn(13));
-      study.best_run = integer_or_none(q.getColumn(14));
-      study.result = q.getColumn(15).getString();
+      study.study_text = q.getColumn(11).getString();
+      study.scenario_text = q.getColumn(12).getString();
+      study.changes = q.getColumn(13).getString();
+      study.baseline_run = integer_or_none(q.getColumn(14));
+      study.best_run = integer_or_none(q.getColumn(15));
+      study.result = q.getColumn(16).getString();
     }
     {
       SQLite::Statement q(
           *db_,
-          "SELECT name, pointer, unit, low, high FROM study_variable WHERE study_id = ? ORDER BY position");
+          "SELECT name, pointer, unit, low, high, type, options FROM study_variable WHERE study_id = ? ORDER "
+          "BY position");
       q.bind(1, id);
       while (q.executeStep())
         study.variables.push_back({q.getColumn(0).getString(), q.getColumn(1).getString(),
                                    q.getColumn(2).getString(), q.getColumn(3).getDouble(),
-                                   q.getColumn(4).getDouble()});
+                                   q.getColumn(4).getDouble(), q.getColumn(5).getString(),
+                                   q.getColumn(6).getString()});
     }
     {
-      SQLite::Statement q(*db_,
-                          "SELECT number, stage, variables, objective, feasible FROM trial WHERE study_id = "
-                          "? ORDER BY number");
+      SQLite::Statement q(
+          *db_,
+          "SELECT number, stage, variables, objective, feasible, half_width, first_replication, "
+          "replications, outcome FROM trial WHERE study_id = ? ORDER BY number");
       q.bind(1, id);
       while (q.executeStep())
         study.trials.push_back({.number = q.getColumn(0).getInt64(),
                                 .stage = q.getColumn(1).getString(),
                                 .values = doubles_of(q.getColumn(2)),
                                 .objective = real_or_none(q.getColumn(3)),
-                                .feasible = q.getColumn(4).getInt() != 0});
+                                .feasible = q.getColumn(4).getInt() != 0,
+                                .half_width = real_or_none(q.getColumn(5)),
+                                .first_replication = q.getColumn(6).getInt64(),
+                                .replications = q.getColumn(7).getInt64(),
+                                .outcome = doubles_of(q.getColumn(8))});
     }
     return study;
   });

@@ -1,7 +1,7 @@
 #pragma once
-// The results database: one SQLite file. One connection at a time writes and checkpoints (a lock file sees to
-// it: SQLite before 3.51.3 can lose commits when a checkpoint races a commit); readers open read-only and
-// copy rows out.
+// The results database: one SQLite file. One connection at a time commits and checkpoints (a lock file sees
+// to it, held for one transaction at a time: SQLite before 3.51.3 can lose commits when a checkpoint races a
+// commit); readers open read-only and copy rows out.
 
 #include <filesystem>
 #include <memory>
@@ -21,30 +21,42 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-inline constexpr int schema_version = 1;
+inline constexpr int schema_version = 2;
 
 class Writer {
  public:
-  /// Opens or creates the database and brings it to `schema_version`; waits up to a minute for another
-  /// writer.
+  /// Opens or creates the database and brings it to `schema_version`; a file of an older schema is copied to
+  /// `<file>.schema<N>.bak` first. Every operation waits up to a minute for another writer's.
   explicit Writer(const std::filesystem::path& file);
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;
   ~Writer();
 
+  [[nodiscard]] const std::filesystem::path& file() const { return file_; }
+
   /// Stores a whole run in one transaction; returns its id. The ids in `run` are ignored.
   std::int64_t add_run(const Run& run);
   /// Opens a study in state "running"; returns its id. Trials and results are added later.
   std::int64_t begin_study(const Study& study);
-  /// Adds trials in one transaction.
+  /// Adds trials in one transaction. A trial that is there already (same stage, variables and replications)
+  /// is an error: nothing is computed twice.
   void add_trials(std::int64_t study, const std::vector<Trial>& trials);
-  /// Closes a study.
+  /// True, as at first: a commit survives a power cut. False: only the end of the program, however sudden; a
+  /// power cut may take the last ones. For trials that take microseconds.
+  void set_durable(bool durable);
+  /// Notes a run that belongs to a study: its baseline, or else its best.
+  void set_study_run(std::int64_t study, bool baseline, std::int64_t run);
+  /// An interrupted or running study goes on. Throws StoreError when there is no such study.
+  void resume_study(std::int64_t study);
+  /// Closes a study, or notes how far it came.
   void finish_study(std::int64_t study, std::optional<std::int64_t> baseline_run,
                     std::optional<std::int64_t> best_run, const std::string& result,
                     const std::string& status);
 
  private:
   class Lock;
+  template <class Body>
+  auto alone(Body&& body) const;
   std::filesystem::path file_;
   std::unique_ptr<Lock> lock_;
   std::unique_ptr<SQLite::Database> db_;

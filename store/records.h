@@ -59,25 +59,34 @@ struct Variable {
   std::string unit;
   double low = 0;
   double high = 0;
+  std::string type = "continuous";  ///< "continuous", "integer", "categorical"
+  std::string options = "[]";       ///< JSON list of the options of a categorical variable
 };
 
 struct Trial {
   std::int64_t number = 0;     ///< from 1, in the order of evaluation
-  std::string stage;           ///< "analytic", "simulation"
-  std::vector<double> values;  ///< of the variables, bit for bit
+  std::string stage;           ///< "analytic", "simulation", "choice", "design", ...
+  std::vector<double> values;  ///< of the variables, bit for bit; a category is the index of its option
   std::optional<double> objective;
   bool feasible = true;
+  std::optional<double> half_width = {};  ///< of a simulated objective
+  std::int64_t first_replication = 0;     ///< of a simulated trial
+  std::int64_t replications = 0;          ///< 0: computed without simulation
+  /// Everything that the study reads from the trial, bit for bit, so that it is never computed twice. Empty
+  /// in trials of schema 1.
+  std::vector<double> outcome = {};
 };
 
 struct StudyHeader {
   std::int64_t id = 0;
   std::string name;
   std::string scenario_name;
-  std::string status;  ///< "running", "finished", "failed"
+  std::string status;  ///< "running", "finished", "interrupted", "failed"
   std::string objective;
   std::int64_t trials = 0;
   std::uint64_t seed = 0;
   Provenance provenance;
+  std::string kind = "optimize";  ///< "optimize", "sweep", "compare", "losses"
 };
 
 struct Study {

@@ -62,6 +62,7 @@ ordered_json to_json(const StudyHeader& h) {
   return {{"id", h.id},
           {"name", h.name},
           {"scenario", h.scenario_name},
+          {"kind", h.kind},
           {"status", h.status},
           {"objective", h.objective},
           {"trials", h.trials},
@@ -73,20 +74,31 @@ ordered_json to_json(const Study& study) {
   ordered_json j = to_json(study.header);
   j["changes"] = embedded(study.changes);
   ordered_json variables = ordered_json::array();
-  for (const Variable& v : study.variables)
-    variables.push_back(
-        {{"name", v.name}, {"pointer", v.pointer}, {"unit", v.unit}, {"low", v.low}, {"high", v.high}});
+  for (const Variable& v : study.variables) {
+    variables.push_back({{"name", v.name},
+                         {"pointer", v.pointer},
+                         {"unit", v.unit},
+                         {"low", v.low},
+                         {"high", v.high},
+                         {"type", v.type}});
+    if (v.type == "categorical") variables.back()["options"] = embedded(v.options);
+  }
   j["variables"] = std::move(variables);
   j["baseline_run"] = study.baseline_run ? ordered_json(*study.baseline_run) : ordered_json(nullptr);
   j["best_run"] = study.best_run ? ordered_json(*study.best_run) : ordered_json(nullptr);
   j["result"] = embedded(study.result);
   ordered_json trials = ordered_json::array();
-  for (const Trial& t : study.trials)
+  for (const Trial& t : study.trials) {
     trials.push_back({{"number", t.number},
                       {"stage", t.stage},
                       {"values", t.values},
                       {"objective", number_or_null(t.objective)},
                       {"feasible", t.feasible}});
+    if (t.replications == 0) continue;
+    trials.back()["half_width"] = number_or_null(t.half_width);
+    trials.back()["first_replication"] = t.first_replication;
+    trials.back()["replications"] = t.replications;
+  }
   j["trial_list"] = std::move(trials);
   return j;
 }

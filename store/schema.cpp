@@ -94,13 +94,57 @@ CREATE TABLE trial(
   feasible INTEGER NOT NULL CHECK(feasible IN (0, 1)),
   PRIMARY KEY(study_id, number)
 ) STRICT, WITHOUT ROWID;
+)sql",
+                              R"sql(
+-- Studies of any kind that can be interrupted; trials with everything a resumed study needs of them.
+CREATE TABLE new_study(
+  id INTEGER PRIMARY KEY,
+  kind TEXT NOT NULL CHECK(kind IN ('optimize', 'sweep', 'compare', 'losses')),
+  name TEXT NOT NULL,
+  status TEXT NOT NULL CHECK(status IN ('running', 'finished', 'interrupted', 'failed')),
+  objective TEXT NOT NULL,
+  scenario_id INTEGER NOT NULL REFERENCES scenario(id),
+  changes TEXT NOT NULL,
+  study_text TEXT NOT NULL,
+  seed TEXT NOT NULL,
+  version TEXT NOT NULL,
+  platform TEXT NOT NULL,
+  created TEXT NOT NULL,
+  baseline_run INTEGER REFERENCES run(id),
+  best_run INTEGER REFERENCES run(id),
+  result TEXT NOT NULL
+) STRICT;
+INSERT INTO new_study SELECT id, 'optimize', name, status, objective, scenario_id, changes, study_text, seed,
+  version, platform, created, baseline_run, best_run, result FROM study;
+DROP TABLE study;
+ALTER TABLE new_study RENAME TO study;
+ALTER TABLE study_variable ADD COLUMN type TEXT NOT NULL DEFAULT 'continuous'
+  CHECK(type IN ('continuous', 'integer', 'categorical'));
+ALTER TABLE study_variable ADD COLUMN options TEXT NOT NULL DEFAULT '[]';
+ALTER TABLE trial ADD COLUMN half_width REAL CHECK(half_width IS NULL OR abs(half_width) < 9e999);
+ALTER TABLE trial ADD COLUMN first_replication INTEGER NOT NULL DEFAULT 0;
+ALTER TABLE trial ADD COLUMN replications INTEGER NOT NULL DEFAULT 0;
+-- Bits of doubles; empty in trials of schema 1, which asked the same question twice at times.
+ALTER TABLE trial ADD COLUMN outcome BLOB NOT NULL DEFAULT x'';
+CREATE UNIQUE INDEX trial_once ON trial(study_id, stage, variables, first_replication, replications)
+  WHERE length(outcome) > 0;
 )sql"};
 static_assert(steps.size() == schema_version);
 
 }  // namespace
 
-void migrate(SQLite::Database& db) {
+void migrate(SQLite::Database& db, const std::filesystem::path& file) {
+  bool kept = false;
   for (;;) {
+    const int found = db.execAndGet("PRAGMA user_version").getInt();
+    if (found > 0 && found < schema_version && !kept) {
+      const std::filesystem::path copy = fmt::format("{}.schema{}.bak", file.string(), found);
+      std::filesystem::remove(copy);  // of an upgrade that did not come to its end
+      SQLite::Statement keep(db, "VACUUM INTO ?");
+      keep.bind(1, copy.string());
+      keep.exec();
+      kept = true;
+    }
     SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
     const int version = db.execAndGet("PRAGMA user_version").getInt();
     if (version > schema_version)
@@ -109,6 +153,10 @@ void migrate(SQLite::Database& db) {
                       version, schema_version));
     if (version == schema_version) return;
     db.exec(steps[static_cast<std::size_t>(version)]);
+    SQLite::Statement broken(db, "PRAGMA foreign_key_check");
+    if (broken.executeStep())
+      throw StoreError(fmt::format("cannot be brought from schema {}: a row of table \"{}\" leads nowhere",
+                                   version, broken.getColumn(0).getString()));
     db.exec(fmt::format("PRAGMA user_version = {}", version + 1));
     transaction.commit();
   }

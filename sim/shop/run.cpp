@@ -26,7 +26,12 @@ std::optional<std::size_t> RunResult::index_of(const std::string& kpi) const {
 }
 
 RunResult run_scenario(const scenarios::Scenario& scenario, int threads, const Progress& progress) {
-  const auto replications = static_cast<std::size_t>(scenario.simulation.replications);
+  return run_replications(scenario, 0, scenario.simulation.replications, threads, progress);
+}
+
+RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t first, std::int64_t count,
+                           int threads, const Progress& progress) {
+  const auto replications = static_cast<std::size_t>(count);
   std::mutex progress_mutex;
   std::int64_t done = 0;
   struct Outcome {
@@ -34,11 +39,11 @@ RunResult run_scenario(const scenarios::Scenario& scenario, int threads, const P
     std::uint64_t events;
   };
   const auto one = [&](std::size_t replication) {
-    Shop shop(scenario, replication);
+    Shop shop(scenario, first + replication);
     Outcome outcome{shop.run(), shop.events_executed()};
     if (progress) {
       const std::scoped_lock lock(progress_mutex);
-      progress(++done, scenario.simulation.replications);
+      progress(++done, count);
     }
     return outcome;
   };

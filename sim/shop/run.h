@@ -37,6 +37,11 @@ using Progress = std::function<void(std::int64_t done, std::int64_t of)>;
 [[nodiscard]] RunResult run_scenario(const scenarios::Scenario& scenario, int threads,
                                      const Progress& progress = {});
 
+/// The replications `first` to `first` + `count` - 1 alone, count >= 1, whatever the scenario says: what
+/// run_scenario gives for them, for studies that add replications as they need them.
+[[nodiscard]] RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t first,
+                                         std::int64_t count, int threads, const Progress& progress = {});
+
 /// KPI of b minus KPI of a, replication by replication (common random numbers).
 /// Both runs must have the same number of replications and the KPI. Throws std::invalid_argument.
 [[nodiscard]] Estimate paired_difference(const RunResult& a, const RunResult& b, const std::string& kpi,

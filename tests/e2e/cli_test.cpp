@@ -179,8 +179,9 @@ TEST_CASE("one model: shown, evaluated, refused") {
 
 TEST_CASE("the example at the end of every --help runs") {
   const Workspace w;
-  for (const char* command : {"", "validate", "run", "optimize", "plan", "models", "models list",
-                              "models search", "models show", "models eval", "schema"}) {
+  for (const char* command :
+       {"", "validate", "run", "compare", "sweep", "losses", "optimize", "plan", "models", "models list",
+        "models search", "models show", "models eval", "schema"}) {
     INFO(command);
     const Answer help = call(std::string(command) + " --help");
     REQUIRE(help.exit_code == 0);
@@ -193,7 +194,9 @@ TEST_CASE("the example at the end of every --help runs") {
     line = line.substr(line.find("verstat ") + 8);
     if (const auto redirect = line.find(" > "); redirect != std::string::npos)
       line = line.substr(0, redirect);
-    const bool stores = line.starts_with("run ") || line.starts_with("optimize ");
+    const std::string_view verb = std::string_view(line).substr(0, line.find(' '));
+    const bool stores =
+        verb == "run" || verb == "compare" || verb == "sweep" || verb == "losses" || verb == "optimize";
     if (stores) line += " --db " + w.file("help.db") + " --set /simulation/horizon_min=20000";
     if (stores && line.find("--replications") == std::string::npos) line += " --replications 2";
     const Answer answer = call(line);

@@ -1,0 +1,135 @@
+// Databases written by older programs open, keep everything, and are kept themselves.
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <SQLiteCpp/SQLiteCpp.h>
+#include <catch2/catch.hpp>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "store/database.h"
+
+using namespace verstat::store;
+namespace fs = std::filesystem;
+
+namespace {
+
+struct Folder {
+  fs::path path = fs::temp_directory_path() / ("verstat-migration-" + std::to_string(::getpid()));
+  Folder() { fs::create_directories(path); }
+  Folder(const Folder&) = delete;
+  Folder& operator=(const Folder&) = delete;
+  ~Folder() { fs::remove_all(path); }
+};
+
+// As version 0.1.0 wrote it: one study of 4 trials, two runs.
+void make_schema_1(const fs::path& file) {
+  std::ifstream in(VERSTAT_SOURCE_DIR "/tests/store/schema1.sql");
+  std::ostringstream text;
+  text << in.rdbuf();
+  SQLite::Database db(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+  db.exec(text.str());
+}
+
+}  // namespace
+
+TEST_CASE("a database of schema 1 is brought up to date, and copied before") {
+  const Folder folder;
+  const fs::path file = folder.path / "old.db";
+  make_schema_1(file);
+  CHECK_THROWS_WITH(Reader(file), Catch::Contains("has schema 1"));
+  { const Writer writer(file); }
+  const auto study = Reader(file).study(1);
+  REQUIRE(study);
+  CHECK(study->header.kind == "optimize");
+  CHECK(study->header.status == "finished");
+  CHECK(study->header.name == "Reliability level and cutting speed of the heavy-lathe cell");
+  CHECK(study->baseline_run == 1);
+  CHECK(study->best_run == 2);
+  REQUIRE(study->trials.size() == 4);
+  CHECK(study->trials[0].outcome.empty());
+  CHECK(study->trials[0].replications == 0);
+  CHECK(study->variables.at(1).type == "continuous");
+  CHECK(Reader(file).run(2));
+  SQLite::Database migrated(file.string());
+  CHECK(migrated.execAndGet("PRAGMA user_version").getInt() == schema_version);
+  CHECK(migrated.execAndGet("PRAGMA integrity_check").getString() == "ok");
+  CHECK_FALSE(SQLite::Statement(migrated, "PRAGMA foreign_key_check").executeStep());
+  // The old file is beside it, as it was.
+  SQLite::Database kept(file.string() + ".schema1.bak");
+  CHECK(kept.execAndGet("PRAGMA user_version").getInt() == 1);
+  CHECK(kept.execAndGet("SELECT count(*) FROM trial").getInt() == 4);
+}
+
+TEST_CASE("a trial is stored once, by the bits of its variables and its replications") {
+  const Folder folder;
+  const fs::path file = folder.path / "new.db";
+  Writer writer(file);
+  Study study;
+  study.scenario_text = "{}";
+  study.changes = "[]";
+  study.header.kind = "sweep";
+  study.variables = {{"n", "/n", "1", 0, 3, "integer", "[]"},
+                     {"c", "/c", "1", 0, 1, "categorical", "[\"a\",\"b\"]"}};
+  const std::int64_t id = writer.begin_study(study);
+  const auto trial = [](std::int64_t number, double x, std::int64_t first) {
+    Trial t{.number = number, .stage = "simulation", .values = {x, 1}, .objective = 2.5};
+    t.half_width = 0.5;
+    t.first_replication = first;
+    t.replications = 5;
+    t.outcome = {1.0, std::nan(""), 0.1 + 0.2};
+    return t;
+  };
+  writer.set_durable(false);
+  writer.add_trials(id, {trial(1, 0.3, 0)});
+  writer.set_durable(true);
+  writer.add_trials(id, {trial(2, 0.3, 5), trial(3, 0.1 + 0.2, 0)});
+  CHECK_THROWS_AS(writer.add_trials(id, {trial(4, 0.3, 0)}), StoreError);
+  writer.finish_study(id, std::nullopt, std::nullopt, "{}", "interrupted");
+  writer.resume_study(id);
+  const auto back = Reader(file).study(id);
+  CHECK(back->header.status == "running");
+  CHECK(back->header.kind == "sweep");
+  CHECK(back->variables.at(1).options == "[\"a\",\"b\"]");
+  REQUIRE(back->trials.size() == 3);
+  CHECK(back->trials[1].first_replication == 5);
+  CHECK(back->trials[2].outcome.at(2) == 0.1 + 0.2);
+  CHECK(std::isnan(back->trials[2].outcome.at(1)));
+  CHECK_THROWS_WITH(writer.resume_study(99), Catch::Contains("has no study 99"));
+}
+
+TEST_CASE("a long study leaves room for other writers") {
+  const Folder folder;
+  const fs::path file = folder.path / "shared.db";
+  Writer study(file);
+  Study record;
+  record.scenario_text = "{}";
+  record.changes = "[]";
+  const std::int64_t id = study.begin_study(record);
+  // Another program writes while the study's connection stays open.
+  const pid_t child = ::fork();
+  if (child == 0) {
+    int code = 1;
+    try {
+      Writer other(file);
+      Study own = record;
+      for (int k = 0; k < 50; ++k) (void)other.begin_study(own);
+      code = 0;
+    } catch (...) {
+    }
+    ::_exit(code);
+  }
+  for (std::int64_t k = 1; k <= 50; ++k) {
+    Trial t{.number = k, .stage = "analytic", .values = {static_cast<double>(k)}, .objective = 1};
+    t.outcome = {1};
+    study.add_trials(id, {t});
+  }
+  int status = 0;
+  ::waitpid(child, &status, 0);
+  CHECK(WEXITSTATUS(status) == 0);
+  const Reader reader(file);
+  CHECK(reader.study_count() == 51);
+  CHECK(reader.study(id)->trials.size() == 50);
+}
