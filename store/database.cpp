@@ -386,7 +386,7 @@ std::int64_t Reader::study_count() const {
   return naming(file_, [&] { return db_->execAndGet("SELECT count(*) FROM study").getInt64(); });
 }
 
-std::optional<Study> Reader::study(std::int64_t id) const {
+std::optional<Study> Reader::study(std::int64_t id, bool trials) const {
   return naming(file_, [&]() -> std::optional<Study> {
     SQLite::Transaction snapshot(*db_);
     Study study;
@@ -416,7 +416,7 @@ std::optional<Study> Reader::study(std::int64_t id) const {
                                    q.getColumn(2).getString(), q.getColumn(3).getDouble(),
                                    q.getColumn(4).getDouble()});
     }
-    {
+    if (trials) {
       SQLite::Statement q(*db_,
                           "SELECT number, stage, variables, objective, feasible FROM trial WHERE study_id = "
                           "? ORDER BY number");
