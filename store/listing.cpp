@@ -77,7 +77,7 @@ std::optional<double> real_or_none(const SQLite::Column& c) {
   return c.isNull() ? std::nullopt : std::optional(c.getDouble());
 }
 
-Trial trial_of(SQLite::Statement& q) {
+TrialRow trial_of(SQLite::Statement& q) {
   const SQLite::Column blob = q.getColumn(2);
   std::vector<double> values(static_cast<std::size_t>(blob.getBytes()) / sizeof(double));
   if (!values.empty()) std::memcpy(values.data(), blob.getBlob(), values.size() * sizeof(double));
@@ -85,10 +85,10 @@ Trial trial_of(SQLite::Statement& q) {
           .stage = q.getColumn(1).getString(),
           .values = std::move(values),
           .objective = real_or_none(q.getColumn(3)),
-          .feasible = q.getColumn(4).getInt() != 0};
+          .feasible = q.getColumn(4).getInt() != 0,
+          .half_width = real_or_none(q.getColumn(5)),
+          .replications = q.getColumn(6).getInt64()};
 }
-
-constexpr const char* trial_columns = "number, stage, variables, objective, feasible";
 
 std::string placeholders(std::size_t count) {
   std::string all;
@@ -157,6 +157,12 @@ Listing::Listing(const std::filesystem::path& database) : file_(database) {
       notes_ = "temp";
       db_->exec("CREATE TEMP TABLE note(subject TEXT, id INTEGER, text TEXT)");
       db_->exec("CREATE TEMP TABLE tag(subject TEXT, id INTEGER, name TEXT)");
+    }
+    {
+      SQLite::Statement q(
+          *db_,
+          "SELECT count(*) FROM pragma_table_info('trial') WHERE name IN ('half_width', 'replications')");
+      with_replications_ = q.executeStep() && q.getColumn(0).getInt() == 2;
     }
     db_->createFunction("has_word", -1, true, nullptr, has_word, nullptr, nullptr, nullptr);
   });
@@ -280,21 +286,27 @@ bool Listing::has_kpi(const std::string& name) const {
   });
 }
 
+std::string Listing::trial_columns() const {
+  return std::string("number, stage, variables, objective, feasible, ") +
+         (with_replications_ ? "half_width, replications" : "NULL, 0");
+}
+
 std::int64_t Listing::trial_count(std::int64_t study) const {
   SQLite::Statement q(*db_, "SELECT count(*) FROM trial WHERE study_id = ?");
   q.bind(1, study);
   return q.executeStep() ? q.getColumn(0).getInt64() : 0;
 }
 
-ListPage<Trial> Listing::trials(std::int64_t study, const TrialQuery& query) const {
+ListPage<TrialRow> Listing::trials(std::int64_t study, const TrialQuery& query) const {
   return naming(file_, [&] {
-    ListPage<Trial> page;
+    ListPage<TrialRow> page;
     page.total = trial_count(study);
     SQLite::Statement q(
-        *db_, fmt::format(
-                  "SELECT {} FROM trial WHERE study_id = ? AND number > ? {} LIMIT ? OFFSET ?", trial_columns,
-                  query.by_objective ? "AND objective IS NOT NULL ORDER BY feasible DESC, objective, number"
-                                     : "ORDER BY number"));
+        *db_,
+        fmt::format("SELECT {} FROM trial WHERE study_id = ? AND number > ? {} LIMIT ? OFFSET ?",
+                    trial_columns(),
+                    query.by_objective ? "AND objective IS NOT NULL ORDER BY feasible DESC, objective, number"
+                                       : "ORDER BY number"));
     q.bind(1, study);
     q.bind(2, query.after);
     q.bind(3, query.limit);
@@ -304,11 +316,11 @@ ListPage<Trial> Listing::trials(std::int64_t study, const TrialQuery& query) con
   });
 }
 
-ListPage<Trial> Listing::sample(std::int64_t study, std::int64_t most) const {
+ListPage<TrialRow> Listing::sample(std::int64_t study, std::int64_t most) const {
   const std::int64_t total = naming(file_, [&] { return trial_count(study); });
   if (total <= most) return trials(study, {.limit = most});
   return naming(file_, [&] {
-    ListPage<Trial> page;
+    ListPage<TrialRow> page;
     page.total = total;
     const std::int64_t cheap = most / 2;
     const std::int64_t rest = most - cheap;
@@ -317,7 +329,7 @@ ListPage<Trial> Listing::sample(std::int64_t study, std::int64_t most) const {
         *db_, fmt::format("SELECT {} FROM trial WHERE study_id = ?1 AND (number % ?2 = 0 OR number IN "
                           "(SELECT number FROM trial WHERE study_id = ?1 AND objective IS NOT NULL AND "
                           "feasible = 1 ORDER BY objective, number LIMIT ?3)) ORDER BY number",
-                          trial_columns));
+                          trial_columns()));
     q.bind(1, study);
     q.bind(2, step);
     q.bind(3, cheap);

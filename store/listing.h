@@ -33,6 +33,17 @@ struct ListPage {
   std::vector<Row> rows;
 };
 
+/// A trial as a page shows it.
+struct TrialRow {
+  std::int64_t number = 0;
+  std::string stage;
+  std::vector<double> values;
+  std::optional<double> objective;
+  bool feasible = true;
+  std::optional<double> half_width;  ///< of a simulated objective, in databases that keep it
+  std::int64_t replications = 0;     ///< of a simulated trial, likewise
+};
+
 struct TrialQuery {
   bool by_objective = false;  ///< cheapest first, without those that have none; else by number
   std::int64_t after = 0;     ///< only numbers above this
@@ -58,15 +69,17 @@ class Listing {
       const std::vector<std::int64_t>& runs, const std::vector<std::string>& names) const;
   /// True when some run has a KPI of this name.
   [[nodiscard]] bool has_kpi(const std::string& name) const;
-  [[nodiscard]] ListPage<Trial> trials(std::int64_t study, const TrialQuery& query) const;
+  [[nodiscard]] ListPage<TrialRow> trials(std::int64_t study, const TrialQuery& query) const;
   /// At most `most` trials, by number: the cheapest half of that number and an even choice of all.
-  [[nodiscard]] ListPage<Trial> sample(std::int64_t study, std::int64_t most) const;
+  [[nodiscard]] ListPage<TrialRow> sample(std::int64_t study, std::int64_t most) const;
 
  private:
   [[nodiscard]] std::int64_t trial_count(std::int64_t study) const;
   std::filesystem::path file_;
   std::unique_ptr<SQLite::Database> db_;
-  std::string notes_ = "notes";  // schema name of the notes within the connection
+  [[nodiscard]] std::string trial_columns() const;
+  bool with_replications_ = false;  // trials of this database say how they were simulated
+  std::string notes_ = "notes";     // schema name of the notes within the connection
 };
 
 }  // namespace verstat::store

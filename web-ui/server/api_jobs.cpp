@@ -115,6 +115,7 @@ JobSpec study_job(const json& body, const std::string& database) {
   return {.kind = "study",
           .title = study.contains("name") && study["name"].is_string() ? study["name"].get<std::string>()
                                                                        : scenario.name,
+          .lengthy = true,
           .arguments = with_changes({"optimize", "study.json", "--json", "--db", database}, given.changes),
           .files = {{"scenario.json", given.text}, {"study.json", study.dump(2) + "\n"}},
           .finish = study_result};

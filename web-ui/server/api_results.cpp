@@ -194,12 +194,16 @@ Response list_trials(const Call& call) {
   const store::Listing listing(call.database);
   const auto page = sample > 0 ? listing.sample(id, sample) : listing.trials(id, query);
   ordered_json list = ordered_json::array();
-  for (const store::Trial& t : page.rows)
+  for (const store::TrialRow& t : page.rows) {
     list.push_back({{"number", t.number},
                     {"stage", t.stage},
                     {"values", t.values},
                     {"objective", number_or_null(t.objective)},
                     {"feasible", t.feasible}});
+    if (t.replications == 0) continue;
+    list.back()["half_width"] = number_or_null(t.half_width);
+    list.back()["replications"] = t.replications;
+  }
   ordered_json body = {{"total", page.total}, {"limit", query.limit}, {"offset", query.offset}};
   body["trials"] = std::move(list);
   // Thousands of rows: indentation would double what is sent.

@@ -233,7 +233,8 @@ class Jobs::Queue {
   explicit Queue(std::filesystem::path program) : program_(std::move(program)) {}
 
   void start() {
-    thread_ = std::thread([this] { work(); });
+    for (std::size_t lane = 0; lane < threads_.size(); ++lane)
+      threads_[lane] = std::thread([this, lane] { work(lane); });
   }
   void end() {
     {
@@ -241,17 +242,18 @@ class Jobs::Queue {
       ending_ = true;
     }
     wake_.notify_all();
-    thread_.join();
+    for (std::thread& thread : threads_) thread.join();
   }
 
   std::optional<std::int64_t> submit(JobSpec spec) {
     const std::lock_guard lock(mutex_);
-    if (waiting_.size() >= most_waiting) return std::nullopt;
+    std::deque<std::int64_t>& waiting = waiting_[spec.lengthy ? 1 : 0];
+    if (waiting.size() >= most_waiting) return std::nullopt;
     const std::int64_t id = next_++;
     Job& job = jobs_[id];
     job.status = {.id = id, .kind = spec.kind, .title = spec.title, .version = 1};
     job.spec = std::move(spec);
-    waiting_.push_back(id);
+    waiting.push_back(id);
     // The oldest that are over make room.
     for (auto old = jobs_.begin(); jobs_.size() > most_kept && old != jobs_.end();)
       old = old->second.status.over() ? jobs_.erase(old) : std::next(old);
@@ -279,7 +281,7 @@ class Jobs::Queue {
     if (job == jobs_.end() || job->second.status.over()) return false;
     job->second.cancelled = true;
     if (job->second.status.state == JobState::queued) {
-      std::erase(waiting_, id);
+      for (auto& lane : waiting_) std::erase(lane, id);
       job->second.status.state = JobState::cancelled;
       ++job->second.status.version;
     }
@@ -300,13 +302,13 @@ class Jobs::Queue {
     return status;
   }
 
-  void work() {
+  void work(std::size_t lane) {
     std::unique_lock lock(mutex_);
     while (true) {
-      wake_.wait(lock, [this] { return ending_ || !waiting_.empty(); });
+      wake_.wait(lock, [&] { return ending_ || !waiting_[lane].empty(); });
       if (ending_) return;
-      const std::int64_t id = waiting_.front();
-      waiting_.pop_front();
+      const std::int64_t id = waiting_[lane].front();
+      waiting_[lane].pop_front();
       Job& job = jobs_.at(id);  // stays: only jobs that are over are forgotten
       job.start = Clock::now();
       job.status.state = JobState::running;
@@ -391,10 +393,10 @@ class Jobs::Queue {
   mutable std::mutex mutex_;
   std::condition_variable wake_;
   std::map<std::int64_t, Job> jobs_;
-  std::deque<std::int64_t> waiting_;
+  std::array<std::deque<std::int64_t>, 2> waiting_;  // simulations, studies
   std::int64_t next_ = 1;
   bool ending_ = false;
-  std::thread thread_;
+  std::array<std::thread, 2> threads_;
 };
 
 Jobs::Jobs(std::filesystem::path program) : queue_(std::make_shared<Queue>(std::move(program))) {

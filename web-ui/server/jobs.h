@@ -23,6 +23,7 @@ enum class JobState { queued, running, finished, failed, cancelled };
 struct JobSpec {
   std::string kind;                          ///< "run", "study", "again"
   std::string title;                         ///< for people
+  bool lengthy = false;                      ///< queued among studies, which take hours
   std::vector<std::string> arguments;        ///< of the program; file names are those of `files`
   std::map<std::string, std::string> files;  ///< name and text, written into the job's own folder
   /// Turns the child's standard output into the job's result (JSON text). Runs on the queue's thread once the

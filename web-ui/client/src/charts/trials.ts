@@ -29,7 +29,9 @@ export function historyCeiling(trials: readonly Trial[], today: number | null): 
   return Math.min(quantile(values, 1), high + 0.15 * (high - low));
 }
 
-export function historyOption(trials: readonly Trial[], objective: string, unit: string, today: number | null, theme: Theme): Option {
+const bestOf = (trials: readonly Trial[]): number => Math.min(...trials.filter((x) => x.feasible).map((x) => x.objective ?? Infinity));
+
+export function historyOption(trials: readonly Trial[], objective: string, unit: string, today: number | null, noise: number | null, theme: Theme): Option {
   const known = trials.filter((x) => x.objective !== null);
   const ceiling = historyCeiling(trials, today);
   const inside = known.filter((x) => (x.objective ?? 0) <= ceiling);
@@ -56,6 +58,8 @@ export function historyOption(trials: readonly Trial[], objective: string, unit:
       { type: 'scatter', name: t('study.trial'), symbolSize: 4, large: inside.length > 5000, itemStyle: { color: theme.accent, opacity: 0.55 }, data: inside.map((x) => [x.number, x.objective ?? 0]) },
       { type: 'scatter', name: t('study.beyond'), symbol: 'triangle', symbolSize: 7, itemStyle: { color: theme.muted, opacity: 0.7 }, data: beyond.map((x) => [x.number, ceiling, x.objective ?? 0]) },
       { type: 'line', name: t('study.bestSoFar'), step: 'end', symbol: 'none', lineStyle: { color: theme.good, width: 2 }, itemStyle: { color: theme.good }, data: bestSoFar(trials).filter(([, value]) => value <= ceiling) },
+      // The band in which a simulation could not tell plans from the best one.
+      ...(noise === null || known.length === 0 ? [] : [{ type: 'line' as const, silent: true, symbol: 'none', lineStyle: { opacity: 0 }, data: [], markArea: { silent: true, itemStyle: { color: theme.good, opacity: 0.14 }, data: [[{ yAxis: bestOf(known) - noise }, { yAxis: Math.min(ceiling, bestOf(known) + noise) }]] as [{ yAxis: number }, { yAxis: number }][] } }]),
       ...(today === null ? [] : [{ type: 'line' as const, name: t('col.today'), symbol: 'none', lineStyle: { color: theme.bad, width: 1.5, type: 'dashed' as const }, itemStyle: { color: theme.bad }, data: [[1, today], [Math.max(2, last), today]] }]),
     ],
   };

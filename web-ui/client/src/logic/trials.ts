@@ -39,18 +39,3 @@ export function distinctPlans(trials: readonly Trial[], digits = 3): Trial[] {
     return true;
   });
 }
-
-/**
- * At most `most` trials that have a value, in order of number: the cheapest half of that number, and an even sample of the
- * others. Points that are coloured one by one take a browser seconds from some ten thousand on.
- */
-export function thinned(trials: readonly Trial[], most: number): Trial[] {
-  const known = trials.filter((t) => t.objective !== null);
-  if (known.length <= most) return known;
-  const byCost = [...known].sort((a, b) => (a.objective ?? 0) - (b.objective ?? 0) || a.number - b.number);
-  const cheap = Math.floor(most / 2);
-  const others = byCost.slice(cheap);
-  const wanted = most - cheap;
-  const sample = Array.from({ length: wanted }, (_, k) => others[Math.floor((k * others.length) / wanted)] as Trial);
-  return [...byCost.slice(0, cheap), ...sample].sort((a, b) => a.number - b.number);
-}

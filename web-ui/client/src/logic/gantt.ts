@@ -1,0 +1,103 @@
+// The trace of one replication as rows of state intervals, cut to a window and thinned to pixels before it is drawn.
+
+export type Interval = [start: number, end: number, state: string];
+export interface TraceRow {
+  name: string;
+  intervals: Interval[];
+}
+export interface Trace {
+  rows: TraceRow[];
+  end: number;
+  states: string[];
+}
+
+/** Reads {"machines": [{"name", "intervals": [[start_min, end_min, "state"], ...]}]}; other lists of the same form (tools, crews) are taken, too. Throws an Error that names the place. */
+export function readTrace(json: unknown): Trace {
+  if (typeof json !== 'object' || json === null || Array.isArray(json)) throw new Error('the trace must be an object with "machines"');
+  const rows: TraceRow[] = [];
+  for (const [group, list] of Object.entries(json)) {
+    if (!Array.isArray(list)) continue;
+    list.forEach((entry: unknown, k) => {
+      const e = entry as { name?: unknown; intervals?: unknown };
+      if (typeof e?.name !== 'string' || !Array.isArray(e.intervals)) {
+        if (group === 'machines') throw new Error(`/${group}/${k}: needs "name" and "intervals"`);
+        return;
+      }
+      let before = -Infinity;
+      const intervals = e.intervals.map((i: unknown, j): Interval => {
+        const [start, end, state] = Array.isArray(i) ? (i as unknown[]) : [];
+        if (typeof start !== 'number' || typeof end !== 'number' || typeof state !== 'string' || !(end >= start) || start < before)
+          throw new Error(`/${group}/${k}/intervals/${j}: must be [start_min, end_min, "state"], in order of time`);
+        before = start;
+        return [start, end, state];
+      });
+      rows.push({ name: e.name, intervals });
+    });
+  }
+  if (rows.length === 0) throw new Error('the trace has no "machines" with intervals');
+  return { rows, end: Math.max(...rows.map((r) => r.intervals.at(-1)?.[1] ?? 0)), states: [...new Set(rows.flatMap((r) => r.intervals.map((i) => i[2])))] };
+}
+
+/** First interval that ends after `time` (binary search; intervals are in order). */
+export function firstAfter(intervals: readonly Interval[], time: number): number {
+  let [low, high] = [0, intervals.length];
+  while (low < high) {
+    const mid = (low + high) >> 1;
+    if ((intervals[mid]?.[1] ?? 0) > time) high = mid;
+    else low = mid + 1;
+  }
+  return low;
+}
+
+export interface Bar {
+  x: number;
+  width: number;
+  state: string;
+}
+
+/**
+ * Bars of one row within [from, to] over `pixels`. What is shorter than a pixel shares one with its neighbours, in the state
+ * that has most of it: a year takes no more bars than the screen has pixels, and no time is lost or invented.
+ */
+export function bars(row: TraceRow, from: number, to: number, pixels: number): Bar[] {
+  const scale = pixels / (to - from);
+  const all: Bar[] = [];
+  let pixel = -1;
+  let shares = new Map<string, number>();
+  const flush = () => {
+    if (shares.size === 0) return;
+    const [state] = [...shares].reduce((a, b) => (b[1] > a[1] ? b : a));
+    const last = all.at(-1);
+    if (last && last.state === state && Math.abs(last.x + last.width - pixel) < 1e-6) last.width += 1;
+    else all.push({ x: pixel, width: 1, state });
+    shares = new Map();
+  };
+  for (let k = firstAfter(row.intervals, from); k < row.intervals.length; ++k) {
+    const [start, end, state] = row.intervals[k] as Interval;
+    if (start >= to) break;
+    const x0 = (Math.max(start, from) - from) * scale;
+    const x1 = (Math.min(end, to) - from) * scale;
+    if (x1 - x0 >= 1) {
+      flush();
+      all.push({ x: x0, width: x1 - x0, state });
+      pixel = -1;
+    } else {
+      if (Math.floor(x0) !== pixel) flush();
+      pixel = Math.floor(x0);
+      shares.set(state, (shares.get(state) ?? 0) + (x1 - x0));
+    }
+  }
+  flush();
+  return all;
+}
+
+/** Share of the time within [from, to] per state. */
+export function stateShares(row: TraceRow, from: number, to: number): Map<string, number> {
+  const shares = new Map<string, number>();
+  for (let k = firstAfter(row.intervals, from); k < row.intervals.length; ++k) {
+    const [start, end, state] = row.intervals[k] as Interval;
+    if (start >= to) break;
+    shares.set(state, (shares.get(state) ?? 0) + (Math.min(end, to) - Math.max(start, from)) / (to - from));
+  }
+  return shares;
+}
