@@ -278,6 +278,19 @@ std::map<std::int64_t, std::vector<KpiSummary>> Listing::kpis(const std::vector<
   });
 }
 
+std::map<std::int64_t, std::string> Listing::currencies(const std::vector<std::int64_t>& runs) const {
+  return naming(file_, [&] {
+    std::map<std::int64_t, std::string> all;
+    SQLite::Statement q(*db_, "SELECT currency FROM run WHERE id = ?");
+    for (const std::int64_t id : runs) {
+      q.bind(1, id);
+      if (q.executeStep()) all[id] = q.getColumn(0).getString();
+      q.reset();
+    }
+    return all;
+  });
+}
+
 bool Listing::has_kpi(const std::string& name) const {
   return naming(file_, [&] {
     SQLite::Statement q(*db_, "SELECT 1 FROM kpi WHERE name = ? LIMIT 1");

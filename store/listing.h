@@ -67,6 +67,8 @@ class Listing {
   /// The KPIs with these names of these runs.
   [[nodiscard]] std::map<std::int64_t, std::vector<KpiSummary>> kpis(
       const std::vector<std::int64_t>& runs, const std::vector<std::string>& names) const;
+  /// Currency of each of these runs.
+  [[nodiscard]] std::map<std::int64_t, std::string> currencies(const std::vector<std::int64_t>& runs) const;
   /// True when some run has a KPI of this name.
   [[nodiscard]] bool has_kpi(const std::string& name) const;
   [[nodiscard]] ListPage<TrialRow> trials(std::int64_t study, const TrialQuery& query) const;

@@ -96,12 +96,14 @@ Response list_runs(const Call& call) {
   const auto page = listing.runs(query);
   const auto ids = ids_of(page.rows);
   const auto kpis = listing.kpis(ids, names);
+  const auto currencies = listing.currencies(ids);
   const auto notes = store::Notes(call.database).of(store::Subject::run, ids);
   ordered_json list = ordered_json::array();
   for (const store::RunHeader& header : page.rows) {
     ordered_json row = store::to_json(header);
     put(row, notes, header.id);
     if (!names.empty()) {
+      row["currency"] = currencies.at(header.id);
       row["kpis"] = ordered_json::array();
       if (const auto found = kpis.find(header.id); found != kpis.end())
         for (const store::KpiSummary& k : found->second) row["kpis"].push_back(kpi_json(k));

@@ -2,7 +2,7 @@
 
 import { significant, unitText } from '../format';
 import { t } from '../i18n';
-import { quantile, ranked } from '../logic/trials';
+import { distinctPlans, quantile } from '../logic/trials';
 import type { Trial, Variable } from '../types';
 import { tooltip } from './chart';
 import type { AnyOption, Option } from './echarts';
@@ -10,13 +10,13 @@ import type { Theme } from './theme';
 
 /** Every plan a line through its variables and its objective; the best in colour. */
 export function parallelOption(trials: readonly Trial[], variables: readonly Variable[], objective: string, theme: Theme): AnyOption {
-  const best = ranked(trials).slice(0, 400);
+  const best = distinctPlans(trials).slice(0, 400);
   const values = best.map((x) => x.objective ?? 0);
   const low = values.length > 0 ? quantile(values, 0) : 0;
   const high = values.length > 0 ? quantile(values, 1) : 1;
   const axis = { nameTextStyle: { color: theme.text, fontSize: 11 }, axisLine: { lineStyle: { color: theme.muted } }, axisTick: { lineStyle: { color: theme.muted } }, axisLabel: { color: theme.muted, formatter: (v: number) => significant(v, 4) } };
   return {
-    parallel: { left: 56, right: 70, top: 40, bottom: 22 },
+    parallel: { left: 84, right: 84, top: 40, bottom: 22 },
     parallelAxis: [...variables.map((v, k) => ({ dim: k, name: v.name.length > 22 ? `${v.name.slice(0, 21)}…` : v.name, scale: true, ...axis })), { dim: variables.length, name: objective, scale: true, ...axis }],
     visualMap: { show: false, type: 'continuous', dimension: variables.length, min: low, max: high > low ? high : low + 1, inRange: { color: [theme.cheap, theme.middle, theme.dear] } },
     series: [{ type: 'parallel', lineStyle: { width: 1, opacity: 0.45 }, data: [...best].reverse().map((x) => [...x.values, x.objective ?? 0]) }],

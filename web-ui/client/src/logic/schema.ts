@@ -81,9 +81,11 @@ export function firstValue(root: JsonSchema, given: JsonSchema, depth = 0): Json
   }
 }
 
-/** "spindle_speed_max_rpm" as people read it. */
-export function title(name: string): string {
-  return name.replace(/_/g, ' ');
+/** "spindle_speed_max_rpm" as people read it; a unit that is shown beside it is not said twice. */
+export function title(name: string, unit = ''): string {
+  const suffix = `_${(unit === 'degC' ? 'c' : unit).toLowerCase().replace(/[^a-z0-9]+/g, '_')}`;
+  const bare = suffix !== '_' && suffix !== '_1' && name.toLowerCase().endsWith(suffix) ? name.slice(0, -suffix.length) : name;
+  return bare.replace(/_/g, ' ');
 }
 
 /** Bounds for a variable of a study: half to double today's value, inside what the schema allows. */

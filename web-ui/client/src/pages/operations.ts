@@ -48,7 +48,7 @@ function planView(plan: CutPlan): DocumentFragment {
     table<Quantity>(
       name,
       [
-        { head: t('col.name'), rowHead: true, cell: (q) => h('span', { title: q.meaning }, title(q.name)), raw: (q) => q.name },
+        { head: t('col.name'), rowHead: true, cell: (q) => h('span', { title: q.meaning }, title(q.name, q.unit)), raw: (q) => q.name },
         { head: t('col.value'), number: true, cell: (q) => h('output', { 'data-quantity': q.name }, significant(q.value)), raw: (q) => q.value },
         { head: t('col.unit'), cell: (q) => h('span', { class: 'unit' }, unitText(q.unit) || '1'), raw: (q) => q.unit },
         { head: t('plan.origin'), cell: (q) => originCell(q.origin), raw: (q) => q.origin },
@@ -72,7 +72,7 @@ function planView(plan: CutPlan): DocumentFragment {
           table<Limit>(
             t('plan.limits'),
             [
-              { head: t('col.name'), rowHead: true, cell: (l) => title(l.name), raw: (l) => l.name },
+              { head: t('col.name'), rowHead: true, cell: (l) => title(l.name, l.unit), raw: (l) => l.name },
               { head: t('col.value'), number: true, cell: (l) => significant(l.value), raw: (l) => l.value },
               { head: t('plan.allowed'), number: true, cell: (l) => (l.at_most !== undefined ? `≤ ${significant(l.at_most)}` : `≥ ${significant(l.at_least ?? 0)}`), raw: (l) => l.at_most ?? l.at_least },
               { head: t('col.unit'), cell: (l) => h('span', { class: 'unit' }, unitText(l.unit) || '1') },
@@ -90,7 +90,7 @@ function planView(plan: CutPlan): DocumentFragment {
           table<Band>(
             t('plan.bands'),
             [
-              { head: t('col.name'), rowHead: true, cell: (b) => title(b.name), raw: (b) => b.name },
+              { head: t('col.name'), rowHead: true, cell: (b) => title(b.name, b.unit), raw: (b) => b.name },
               { head: t('col.value'), number: true, cell: (b) => h('span', { class: b.inside ? 'bad' : undefined }, significant(b.value)), raw: (b) => b.value },
               { head: t('plan.forbidden'), number: true, cell: (b) => `${significant(b.low)} … ${significant(b.high)}` },
               { head: t('col.unit'), cell: (b) => h('span', { class: 'unit' }, unitText(b.unit) || '1') },
@@ -188,7 +188,7 @@ export const operationsPage: PageMaker = async (context, [chosen = '']) => {
     const names = [...new Set(points.flatMap((p) => Object.keys(p.quantities ?? {})))];
     if (!names.includes(shown)) shown = names.includes('main_time_min') ? 'main_time_min' : (names[0] ?? '');
     const { unit } = meaningAndUnit(swept.schema);
-    const name = title(swept.pointer.slice(swept.pointer.lastIndexOf('/') + 1));
+    const name = title(swept.pointer.slice(swept.pointer.lastIndexOf('/') + 1), unit);
     const now = numberAt(swept.pointer);
     const drawers: (() => void)[] = [];
     const inner = { signal: context.signal, whenShown: (d: () => void) => drawers.push(d), whenLeft: (c: () => void) => hidden.push(c) };

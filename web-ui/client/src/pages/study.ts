@@ -140,7 +140,7 @@ function planeSection(context: PageContext, study: Study, trials: Trials, redraw
   );
 }
 
-function trialSections(context: PageContext, study: Study, trials: Trials, cheapest: Trial[], redraws: (() => void)[]): Child {
+function trialSections(context: PageContext, study: Study, trials: Trials, redraws: (() => void)[]): Child {
   const unit = study.result.unit ?? '';
   const objective = named('kpi', study.objective);
   const today = study.result.baseline?.analytic ?? null;
@@ -175,7 +175,7 @@ function trialSections(context: PageContext, study: Study, trials: Trials, cheap
           ...study.variables.map((v, k) => ({ head: v.name, unit: unitText(v.unit), number: true, cell: (r: Trial) => (v.type === 'categorical' ? valueText(v.options?.[r.values[k] ?? 0]) : significant(r.values[k] ?? NaN)), raw: (r: Trial) => r.values[k] })),
           { head: objective, unit, number: true, cell: (r) => (r.objective === null ? '–' : significant(r.objective, 8)), raw: (r) => r.objective },
         ],
-        distinctPlans(cheapest).slice(0, 12),
+        distinctPlans(trials.list).slice(0, 12),
       ),
     ),
   ];
@@ -184,7 +184,7 @@ function trialSections(context: PageContext, study: Study, trials: Trials, cheap
 /** Members of the answer that have no view of their own yet, as tables. */
 function blockSections(study: Study): Child {
   const value = (v: Block['rows'][number][string] | undefined) => (v === undefined || v === null ? '–' : typeof v === 'number' ? significant(v) : typeof v === 'boolean' ? t(v ? 'yes' : 'no') : v);
-  const head = (name: string) => (name === '' ? t('study.more') : name.split('/').map(title).join(': '));
+  const head = (name: string) => (name === '' ? t('study.more') : name.split('/').map((n) => title(n)).join(': '));
   return blocks(study.result).map((block) =>
     section(
       head(block.name),
@@ -217,11 +217,10 @@ function continueLink(study: Study): Child {
 const often = 2000;
 
 export const studyPage: PageMaker = async (context, [id = '']) => {
-  const [study, version, sample, cheapest] = await Promise.all([
+  const [study, version, sample] = await Promise.all([
     api.study(id, context.signal),
     api.version(context.signal),
     api.trials(id, `sample=${mostDrawn}`, context.signal),
-    api.trials(id, 'sort=objective&limit=300', context.signal),
   ]);
   const changes = changeList(study.changes);
   const trials: Trials = { total: sample.total, list: sample.trials };
@@ -268,7 +267,7 @@ export const studyPage: PageMaker = async (context, [id = '']) => {
       annotationEditor('studies', study.id, study, version.read_only),
       h('div', { class: 'columns' }, pointSection(study), study.variables.length > 0 && trials.total > 0 ? planeSection(context, study, trials, redraws) : null),
       frontSection(context, study),
-      trials.total === 0 && study.status !== 'running' ? section(t('study.history'), '', h('p', {}, t('study.noTrials'))) : trialSections(context, study, trials, cheapest.trials, redraws),
+      trials.total === 0 && study.status !== 'running' ? section(t('study.history'), '', h('p', {}, t('study.noTrials'))) : trialSections(context, study, trials, redraws),
       blockSections(study),
     ),
   };

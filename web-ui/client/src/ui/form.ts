@@ -312,7 +312,7 @@ export class SchemaForm {
     return h(
       'div',
       { class: 'field', 'data-pointer': pointer },
-      h('label', { for: id }, title(name), unit ? h('span', { class: 'unit' }, ` ${unitText(unit)}`) : null),
+      h('label', { for: id }, title(name, unit), unit ? h('span', { class: 'unit' }, ` ${unitText(unit)}`) : null),
       control,
       h('span', { class: 'about', id: `${id}-about` }, meaning, range ? h('span', { class: 'allowed' }, ` (${range})`) : null, beside ? [' ', beside] : null),
       error,
