@@ -219,7 +219,12 @@ bool read_progress(const std::string& line, JobStatus& status) {
   long long done = 0;
   long long of = 0;
   double left_s = 0;
-  if (std::sscanf(line.c_str() + colon, ": %lld of %lld, %lf s left", &done, &of, &left_s) != 3) return false;
+  double best = 0;
+  const char* rest = line.c_str() + colon;
+  const bool with_best =
+      std::sscanf(rest, ": %lld of %lld, best %lf %lf s left", &done, &of, &best, &left_s) == 4;
+  if (!with_best && std::sscanf(rest, ": %lld of %lld, %lf s left", &done, &of, &left_s) != 3) return false;
+  status.best = with_best ? std::optional(best) : std::nullopt;
   status.stage = line.substr(0, colon);
   status.done = done;
   status.of = of;

@@ -329,6 +329,7 @@ export const en = {
   'setup.high': 'To',
   'setup.lowOf': '{name}, lower bound',
   'setup.highOf': '{name}, upper bound',
+  'setup.direction': 'Direction',
   'setup.minimize': 'as low as possible',
   'setup.maximize': 'as high as possible',
   'setup.replications': 'Replications of the confirmation',

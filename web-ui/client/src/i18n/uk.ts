@@ -331,6 +331,7 @@ export const uk: Record<Key, string> = {
   'setup.high': 'До',
   'setup.lowOf': '{name}, нижня межа',
   'setup.highOf': '{name}, верхня межа',
+  'setup.direction': 'Напрямок',
   'setup.minimize': 'якнайменше',
   'setup.maximize': 'якнайбільше',
   'setup.replications': 'Повторів підтвердження',

@@ -275,7 +275,7 @@ function workbench(context: PageContext, schema: JsonSchema, first: Draft, choos
   const label = h('input', { id: 'run-label', type: 'text', value: '', maxlength: 80, placeholder: t('scenario.labelHint') });
 
   // --------------------------------------------------------------------------------------------------- setting up a study
-  const direction = h('select', { id: 'study-direction' }, h('option', { value: 'minimize' }, t('setup.minimize')), h('option', { value: 'maximize' }, t('setup.maximize')));
+  const direction = h('select', { id: 'study-direction', 'aria-label': t('setup.direction') }, h('option', { value: 'minimize' }, t('setup.minimize')), h('option', { value: 'maximize' }, t('setup.maximize')));
   const objective = h('input', { id: 'study-objective', type: 'text', value: 'cost_per_part', list: 'kpi-names' });
   const replications = h('input', { id: 'study-replications', type: 'text', inputmode: 'numeric', value: '40' });
   const studyText = h('textarea', { id: 'study-text', rows: 14, spellcheck: 'false', 'aria-label': t('setup.json') });
