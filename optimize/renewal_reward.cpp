@@ -77,7 +77,7 @@ LongRunModel::LongRunModel(const scenarios::Scenario& scenario) : scenario_(scen
 }
 
 OperationCost LongRunModel::operation_cost(const Operation& operation) const {
-  const double machine_rate = scenarios::find_named(scenario_.machines, operation.machine)->rate_per_min;
+  const double machine_rate = scenario_.machines[scenarios::groups_of(scenario_, operation).front()].rate_per_min;
   const operations::CutPlan plan = scenarios::plan(scenario_, operation);
   if (plan.breakage_probability > 0 && plan.edge && !operation.tool.empty())
     throw scenarios::InputError(
