@@ -316,10 +316,12 @@ ListPage<TrialRow> Listing::trials(std::int64_t study, const TrialQuery& query) 
     page.total = trial_count(study);
     SQLite::Statement q(
         *db_,
-        fmt::format("SELECT {} FROM trial WHERE study_id = ? AND number > ? {} LIMIT ? OFFSET ?",
-                    trial_columns(),
-                    query.by_objective ? "AND objective IS NOT NULL ORDER BY feasible DESC, objective, number"
-                                       : "ORDER BY number"));
+        fmt::format(
+            "SELECT {} FROM trial WHERE study_id = ? AND number > ? {} LIMIT ? OFFSET ?", trial_columns(),
+            query.by_objective
+                ? (query.highest ? "AND objective IS NOT NULL ORDER BY feasible DESC, objective DESC, number"
+                                 : "AND objective IS NOT NULL ORDER BY feasible DESC, objective, number")
+                : "ORDER BY number"));
     q.bind(1, study);
     q.bind(2, query.after);
     q.bind(3, query.limit);
@@ -329,7 +331,7 @@ ListPage<TrialRow> Listing::trials(std::int64_t study, const TrialQuery& query) 
   });
 }
 
-ListPage<TrialRow> Listing::sample(std::int64_t study, std::int64_t most) const {
+ListPage<TrialRow> Listing::sample(std::int64_t study, std::int64_t most, bool highest) const {
   const std::int64_t total = naming(file_, [&] { return trial_count(study); });
   if (total <= most) return trials(study, {.limit = most});
   return naming(file_, [&] {
@@ -341,8 +343,8 @@ ListPage<TrialRow> Listing::sample(std::int64_t study, std::int64_t most) const 
     SQLite::Statement q(
         *db_, fmt::format("SELECT {} FROM trial WHERE study_id = ?1 AND (number % ?2 = 0 OR number IN "
                           "(SELECT number FROM trial WHERE study_id = ?1 AND objective IS NOT NULL AND "
-                          "feasible = 1 ORDER BY objective, number LIMIT ?3)) ORDER BY number",
-                          trial_columns()));
+                          "feasible = 1 ORDER BY objective {}, number LIMIT ?3)) ORDER BY number",
+                          trial_columns(), highest ? "DESC" : "ASC"));
     q.bind(1, study);
     q.bind(2, step);
     q.bind(3, cheap);

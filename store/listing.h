@@ -45,7 +45,8 @@ struct TrialRow {
 };
 
 struct TrialQuery {
-  bool by_objective = false;  ///< cheapest first, without those that have none; else by number
+  bool by_objective = false;  ///< best first, without those that have none; else by number
+  bool highest = false;       ///< best is the highest objective, not the lowest
   std::int64_t after = 0;     ///< only numbers above this
   std::int64_t limit = 200;
   std::int64_t offset = 0;
@@ -72,8 +73,8 @@ class Listing {
   /// True when some run has a KPI of this name.
   [[nodiscard]] bool has_kpi(const std::string& name) const;
   [[nodiscard]] ListPage<TrialRow> trials(std::int64_t study, const TrialQuery& query) const;
-  /// At most `most` trials, by number: the cheapest half of that number and an even choice of all.
-  [[nodiscard]] ListPage<TrialRow> sample(std::int64_t study, std::int64_t most) const;
+  /// At most `most` trials, by number: the best half of that number and an even choice of all.
+  [[nodiscard]] ListPage<TrialRow> sample(std::int64_t study, std::int64_t most, bool highest = false) const;
 
  private:
   [[nodiscard]] std::int64_t trial_count(std::int64_t study) const;

@@ -106,6 +106,10 @@ TEST_CASE("a hundred thousand trials: every page call comes within a tenth of a 
     CHECK(page.rows.at(0).objective == 1);  // 0 is that of trial 100000, which is infeasible
     CHECK(page.rows.size() == 200);
   });
+  CHECK(Listing(file.path)
+            .trials(1, {.by_objective = true, .highest = true, .limit = 1})
+            .rows.at(0)
+            .objective == count - 1);
   const double deep_ms = timed("a page far in", [&] {
     const auto page = Listing(file.path).trials(1, {.limit = 200, .offset = 90'000});
     CHECK(page.rows.at(0).number == 90'001);

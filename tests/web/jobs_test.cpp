@@ -184,7 +184,7 @@ TEST_CASE("bad jobs are refused before anything is started") {
     CHECK(answer.status == status);
     CHECK_THAT(answer.message(), Catch::Contains(part));
   };
-  refused({{"kind", "format"}}, 400, "run, study or again");
+  refused({{"kind", "format"}}, 400, "run, study, again or trace");
   refused({{"scenario", 1}}, 400, "scenario");
   refused({{"scenario", "{"}}, 422, "not JSON");
   refused({{"changes", {{{"pointer", "/machines/0/count"}, {"value", 0}}}}}, 422, "count");
@@ -203,6 +203,23 @@ TEST_CASE("the queue has an end") {
   while (accepted < 40 && serving.post("/api/v1/jobs", run_body()).status == 202) ++accepted;
   CHECK(accepted >= static_cast<int>(web::Jobs::most_waiting));
   CHECK(accepted <= static_cast<int>(web::Jobs::most_waiting) + 1);
+}
+
+TEST_CASE("the trace of one replication is kept and handed out, of the newest jobs only") {
+  const Serving serving({}, "", "echo \"{\\\"machines\\\": \\\"$*\\\"}\"");
+  CHECK(serving.post("/api/v1/jobs", R"({"kind": "trace", "run": 1, "replication": 2})").status == 422);
+  CHECK(serving.post("/api/v1/jobs", R"({"kind": "trace", "run": 99})").status == 404);
+  CHECK(serving.post("/api/v1/jobs", R"({"kind": "trace"})").status == 400);
+  const int count = static_cast<int>(web::Jobs::most_outputs) + 1;
+  for (int k = 0; k < count; ++k)
+    REQUIRE(serving.post("/api/v1/jobs", R"({"kind": "trace", "run": 1, "replication": 1})").status == 202);
+  const json last = wait_for(serving, count);
+  CHECK(last["state"] == "finished");
+  CHECK(last["result"]["of_run"] == 1);
+  const Answer output = serving.get(fmt::format("/api/v1/jobs/{}/output", count));
+  CHECK(output.parsed()["machines"] == "trace scenario.json --format json --replication 1 --set /seed=0.1");
+  CHECK(serving.get("/api/v1/jobs/2/output").status == 200);
+  CHECK(serving.get("/api/v1/jobs/1/output").status == 404);
 }
 
 TEST_CASE("a read-only server computes but starts and stores nothing") {

@@ -176,8 +176,9 @@ TEST_CASE("the description names every address, and every address it names answe
   const Serving serving({}, "", "echo '{\"id\": 1}'");
   const json description = serving.get("/api/v1/openapi.json").parsed();
   CHECK(description["openapi"] == "3.0.3");
-  REQUIRE(serving.post("/api/v1/jobs", R"({"kind": "again", "run": 1})").status ==
-          202);  // so that there is a job 1
+  // So that there is a job 1 with an output.
+  REQUIRE(serving.post("/api/v1/jobs", R"({"kind": "trace", "run": 1})").status == 202);
+  while (serving.get("/api/v1/jobs/1").parsed()["state"] != "finished") std::this_thread::sleep_for(10ms);
   std::set<std::pair<std::string, std::string>> described;
   for (const auto& [path, methods] : description["paths"].items())
     for (const auto& [method, what] : methods.items()) {

@@ -70,6 +70,7 @@ constexpr std::array all_routes = {
     Route{"GET", "/jobs/{id}", show_job},
     Route{"DELETE", "/jobs/{id}", cancel_job, true},
     Route{"GET", "/jobs/{id}/events", follow_job},
+    Route{"GET", "/jobs/{id}/output", show_output},
     Route{"GET", "/version", show_version},
     Route{"GET", "/health", show_health},
     Route{"GET", "/openapi.json", show_openapi},

@@ -48,5 +48,6 @@ Response show_job(const Call& call);
 Response start_job(const Call& call);
 Response cancel_job(const Call& call);
 Response follow_job(const Call& call);
+Response show_output(const Call& call);
 
 }  // namespace verstat::web

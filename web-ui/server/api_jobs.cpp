@@ -141,6 +141,37 @@ JobSpec again_job(const Call& call, const json& body, const std::string& databas
           }};
 }
 
+JobSpec trace_job(const Call& call, const json& body) {
+  if (!body.contains("run") || !body["run"].is_number_integer())
+    throw Refused{400, "body: run: must be the number of a run"};
+  const auto id = body["run"].get<std::int64_t>();
+  const auto run = store::Reader(call.database).run(id, false);
+  if (!run) throw Refused{404, fmt::format("there is no run {}", id)};
+  std::int64_t replication = 0;
+  if (body.contains("replication")) {
+    if (!body["replication"].is_number_integer())
+      throw Refused{400, "body: replication: must be a whole number"};
+    replication = body["replication"].get<std::int64_t>();
+  }
+  if (replication < 0 || replication >= run->header.replications)
+    throw Refused{422, fmt::format("replication {}: run {} has replications 0 to {}", replication, id,
+                                   run->header.replications - 1)};
+  json stored = {{"changes", json::parse(run->header.changes, nullptr, false)}};
+  if (!stored["changes"].is_array())
+    throw Refused{422, fmt::format("run {}: its changes are kept in a form that cannot be repeated", id)};
+  return {
+      .kind = "trace",
+      .title = fmt::format("{} ({})", run->header.scenario_name, id),
+      .arguments = with_changes(
+          {"trace", "scenario.json", "--format", "json", "--replication", std::to_string(replication)},
+          changes_of(stored)),
+      .files = {{"scenario.json", run->scenario_text}},
+      .keep_output = true,
+      .finish = [id, replication](const std::string& output) {
+        return ordered_json{{"of_run", id}, {"replication", replication}, {"bytes", output.size()}}.dump();
+      }};
+}
+
 Jobs& jobs_of(const Call& call) {
   if (call.jobs == nullptr) throw Refused{404, "a read-only server has no jobs"};
   return *call.jobs;
@@ -169,7 +200,8 @@ Response show_job(const Call& call) {
 
 Response start_job(const Call& call) {
   check_query(call.target, {});
-  const json body = body_of(call.request, {"kind", "scenario", "changes", "label", "study", "run"});
+  const json body =
+      body_of(call.request, {"kind", "scenario", "changes", "label", "study", "run", "replication"});
   const std::string kind = text_member(body, "kind", "run", 20);
   const std::string database = std::filesystem::absolute(call.database).string();
   JobSpec spec;
@@ -179,8 +211,10 @@ Response start_job(const Call& call) {
     spec = study_job(body, database);
   } else if (kind == "again") {
     spec = again_job(call, body, database);
+  } else if (kind == "trace") {
+    spec = trace_job(call, body);
   } else {
-    throw Refused{400, fmt::format("body: kind: \"{}\": must be run, study or again", kind)};
+    throw Refused{400, fmt::format("body: kind: \"{}\": must be run, study, again or trace", kind)};
   }
   const auto id = jobs_of(call).submit(std::move(spec));
   if (!id)
@@ -208,6 +242,17 @@ Response follow_job(const Call& call) {
   response.headers["Cache-Control"] = "no-store";
   response.stream = std::move(events);
   return response;
+}
+
+Response show_output(const Call& call) {
+  check_query(call.target, {});
+  const std::int64_t id = id_of("job", call.parameters[0]);
+  const auto status = jobs_of(call).find(id);
+  if (!status) throw Refused{404, fmt::format("there is no job {}", id)};
+  if (!status->output)
+    throw Refused{404, fmt::format("job {} keeps no output: only finished traces do, the {} newest", id,
+                                   Jobs::most_outputs)};
+  return {.body = *status->output};
 }
 
 }  // namespace verstat::web

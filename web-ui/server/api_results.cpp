@@ -183,18 +183,20 @@ Response show_study(const Call& call) {
 }
 
 Response list_trials(const Call& call) {
-  check_query(call.target, {"limit", "offset", "after", "sort", "sample"});
+  check_query(call.target, {"limit", "offset", "after", "sort", "sample", "best"});
   const std::int64_t id = id_of("study", call.parameters[0]);
   const bool by_objective = word(call.target, "sort", {"number", "objective"}) == "objective";
   const std::int64_t sample = whole(call.target, "sample", 0, largest_trial_page, 0);
+  const bool highest = word(call.target, "best", {"low", "high"}) == "high";
   const store::TrialQuery query{.by_objective = by_objective,
+                                .highest = highest,
                                 .after = whole(call.target, "after", 0, INT64_MAX, 0),
                                 .limit = whole(call.target, "limit", 1, largest_trial_page, largest_page),
                                 .offset = whole(call.target, "offset", 0, INT64_MAX, 0)};
   if (!store::Reader(call.database).study(id, false))
     throw Refused{404, fmt::format("there is no study {}", id)};
   const store::Listing listing(call.database);
-  const auto page = sample > 0 ? listing.sample(id, sample) : listing.trials(id, query);
+  const auto page = sample > 0 ? listing.sample(id, sample, highest) : listing.trials(id, query);
   ordered_json list = ordered_json::array();
   for (const store::TrialRow& t : page.rows) {
     list.push_back({{"number", t.number},

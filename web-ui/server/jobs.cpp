@@ -323,8 +323,9 @@ class Jobs::Queue {
       JobState state = JobState::failed;
       std::string message;
       std::string result;
+      std::string output;
       try {
-        state = execute(id, spec, message, result);
+        state = execute(id, spec, message, result, output);
       } catch (const std::exception& e) {
         message = e.what();
       }
@@ -332,16 +333,22 @@ class Jobs::Queue {
       job.status.state = state;
       job.status.message = message;
       job.status.result = result;
+      if (state == JobState::finished && spec.keep_output) {
+        job.status.output = std::make_shared<const std::string>(std::move(output));
+        std::size_t kept = 0;
+        for (auto one = jobs_.rbegin(); one != jobs_.rend(); ++one)
+          if (one->second.status.output && ++kept > most_outputs) one->second.status.output = nullptr;
+      }
       job.status.elapsed_s = seconds_since(job.start);
       ++job.status.version;
     }
   }
 
-  JobState execute(std::int64_t id, const JobSpec& spec, std::string& message, std::string& result) {
+  JobState execute(std::int64_t id, const JobSpec& spec, std::string& message, std::string& result,
+                   std::string& out) {
     const Folder folder;
     for (const auto& [name, text] : spec.files) folder.write(name, text);
     Child child(program_, spec.arguments, folder.path());
-    std::string out;
     std::string err;
     std::string last_words;
     std::optional<Clock::time_point> asked;

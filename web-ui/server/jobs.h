@@ -21,11 +21,12 @@ enum class JobState { queued, running, finished, failed, cancelled };
 
 /// What to start.
 struct JobSpec {
-  std::string kind;                          ///< "run", "study", "again"
+  std::string kind;                          ///< "run", "study", "again", "trace"
   std::string title;                         ///< for people
   bool lengthy = false;                      ///< queued among studies, which take hours
   std::vector<std::string> arguments;        ///< of the program; file names are those of `files`
   std::map<std::string, std::string> files;  ///< name and text, written into the job's own folder
+  bool keep_output = false;                  ///< what the child prints can be had afterwards
   /// Turns the child's standard output into the job's result (JSON text). Runs on the queue's thread once the
   /// child has ended well; an exception fails the job with its text.
   std::function<std::string(const std::string& output)> finish;
@@ -46,6 +47,8 @@ struct JobStatus {
   std::string result;            ///< JSON text when finished
   double elapsed_s = 0;          ///< since the child was started
   std::int64_t version = 0;      ///< grows with every change
+  /// What the child has printed, of the `most_outputs` newest jobs that keep it; else null.
+  std::shared_ptr<const std::string> output;
 
   [[nodiscard]] bool over() const {
     return state == JobState::finished || state == JobState::failed || state == JobState::cancelled;
@@ -60,6 +63,7 @@ class Jobs {
  public:
   static constexpr std::size_t most_waiting = 20;
   static constexpr std::size_t most_kept = 200;
+  static constexpr std::size_t most_outputs = 3;
 
   /// `program` is started for every job with the job's arguments.
   explicit Jobs(std::filesystem::path program);

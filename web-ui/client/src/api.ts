@@ -138,6 +138,8 @@ export const api = {
   check: (scenario: unknown, changes: Change[], signal?: AbortSignal) => send<CheckResult>('POST', 'check', { scenario, changes }, signal),
   jobs: (signal?: AbortSignal) => get<{ jobs: Job[] }>('jobs', signal),
   startJob: (body: Record<string, unknown>) => send<Job>('POST', 'jobs', body),
+  /** What a finished trace has printed. */
+  jobOutput: (id: number, signal?: AbortSignal) => get<unknown>(`jobs/${id}/output`, signal),
   cancelJob: (id: number) => send<Job>('DELETE', `jobs/${id}`),
   /** Follows a job until it is over or `signal` aborts. */
   followJob: async (id: number, onJob: (job: Job) => void, signal: AbortSignal): Promise<void> => {

@@ -1,5 +1,5 @@
 // Addresses: #/ #/runs/3 #/studies/1 #/report/1 #/compare/2/3/4 #/scenario/run/3 #/operations/turning #/sheet/3
-// #/trace #/models #/models/K117.part_cost
+// #/trace/3 #/models #/models/K117.part_cost
 
 export interface Route {
   page: 'home' | 'run' | 'study' | 'report' | 'sheet' | 'compare' | 'scenario' | 'operations' | 'trace' | 'models' | 'model';
@@ -17,7 +17,7 @@ const patterns: [RegExp, Route['page']][] = [
   [/^#\/scenario\/(run)\/(\d+)$/, 'scenario'],
   [/^#\/scenario\/(gallery)\/([\w-]+)$/, 'scenario'],
   [/^#\/operations(?:\/([\w-]+))?$/, 'operations'],
-  [/^#\/trace$/, 'trace'],
+  [/^#\/trace(?:\/(\d+))?$/, 'trace'],
   [/^#\/models$/, 'models'],
   [/^#\/models\/([\w.-]+)$/, 'model'],
 ];

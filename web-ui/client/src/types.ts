@@ -79,7 +79,7 @@ export interface Trial {
 }
 
 export interface PlanPoint {
-  values: { name: string; pointer: string; unit: string; value: unknown }[];
+  values: { name: string; pointer: string; unit: string; value: unknown; text?: string }[];
   analytic: number | null;
   simulated: { mean: number | null; half_width_95: number | null };
 }
@@ -195,6 +195,7 @@ export interface JsonSchema {
   required?: string[];
   items?: JsonSchema;
   oneOf?: JsonSchema[];
+  anyOf?: JsonSchema[];
   $ref?: string;
 }
 
@@ -278,7 +279,7 @@ export interface CheckResult {
 
 export interface Job {
   id: number;
-  kind: 'run' | 'study' | 'again';
+  kind: 'run' | 'study' | 'again' | 'trace';
   title: string;
   state: 'queued' | 'running' | 'finished' | 'failed' | 'cancelled';
   stage: string;
@@ -294,6 +295,8 @@ export interface Job {
     baseline_run?: number;
     best_run?: number;
     of_run?: number;
+    replication?: number;
+    bytes?: number;
     values?: number;
     different?: number;
     identical?: boolean;

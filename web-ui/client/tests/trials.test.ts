@@ -12,6 +12,8 @@ describe('trials of a study', () => {
   it('the best so far falls, ignores infeasible trials and reaches the last one', () => {
     expect(bestSoFar(trials)).toEqual([[1, 5], [4, 3], [6, 3]]);
     expect(bestSoFar([])).toEqual([]);
+    expect(bestSoFar(trials, -1)).toEqual([[1, 5], [2, 7], [6, 7]]);
+    expect(ranked(trials, -1).map((t) => t.number)).toEqual([2, 1, 6, 4]);
   });
   it('are ranked cheapest first', () => {
     expect(ranked(trials).map((t) => t.number)).toEqual([4, 6, 1, 2]);

@@ -3,7 +3,7 @@ import { fileName, toCsv } from '../src/logic/csv';
 import { begin, changed, current, mostSteps, moved, request } from '../src/logic/draft';
 import { parseNumber, sliderRange, spread } from '../src/logic/fields';
 import { bars, firstAfter, readTrace, stateShares, type TraceRow } from '../src/logic/gantt';
-import { routePairs, shopGraph } from '../src/logic/graph';
+import { flowOf, groupsOf, shopGraph } from '../src/logic/graph';
 import { entityKinds } from '../src/logic/kpis';
 import { oeeRows } from '../src/logic/oee';
 import { put, type Json } from '../src/logic/pointer';
@@ -79,11 +79,15 @@ describe('the shop as a graph', () => {
     expect(new Set(graph.nodes.map((n) => `${n.column}/${n.row}`)).size).toBe(graph.nodes.length);
     for (const e of graph.edges.filter((x) => !x.back)) expect(graph.nodes.find((n) => n.id === e.from)?.column).toBeLessThan(graph.nodes.find((n) => n.id === e.to)?.column ?? 0);
   });
-  it('rework loops are drawn back and do not hang the layout', () => {
-    const operations = new Set(['a', 'b', 'c']);
-    expect(routePairs([{ from: 'a', to: 'b' }, { from: 'b', to: ['c', { operation: 'a', share: 0.1 }] }], operations).pairs).toEqual([['a', 'b'], ['b', 'c'], ['b', 'a']]);
-    const graph = shopGraph({ machines: ['A', 'B', 'C'].map((name) => ({ name })), operations: [['a', 'A'], ['b', 'B'], ['c', 'C']].map(([name, machine]) => ({ name, machine })) as Json, parts: [{ name: 'p', route: [{ from: 'a', to: 'b' }, { from: 'b', to: ['c', 'a'] }] }] });
-    expect(graph.edges.filter((e) => e.back).map((e) => [e.from, e.to])).toEqual([['machine:B', 'machine:A']]);
+  it('branches and rework loops of steps are followed; loops are drawn back and do not hang the layout', () => {
+    const steps = [{ name: 'a', operation: 'oa' }, { name: 'b', operation: 'ob', next: [{ to: 'c', probability: 0.9 }, { to: '', probability: 0.1 }], rework: 'a' }, { name: 'c', operation: 'oc' }];
+    expect(flowOf({ steps }).pairs).toEqual([[-1, 0], [0, 1], [1, 2], [1, 3], [1, 0], [2, 3]]);
+    const machines = [{ name: 'A' }, { name: 'B1' }, { name: 'B2' }, { name: 'C', capabilities: ['fine'] }];
+    const operations = [{ name: 'oa', machine: 'A' }, { name: 'ob', machines: ['B1', 'B2'] }, { name: 'oc', capability: 'fine' }];
+    expect(groupsOf(operations[2], machines)).toEqual(['C']);
+    const graph = shopGraph({ machines, operations, stores: [{ name: 's' }], parts: [{ name: 'p', steps, store: 's' }] } as Json);
+    expect(graph.edges.filter((e) => e.back).map((e) => [e.from, e.to])).toEqual([['machine:B1', 'machine:A'], ['machine:B2', 'machine:A']]);
+    expect(graph.edges.filter((e) => e.to === 'store:s').map((e) => e.from)).toEqual(['machine:B1', 'machine:B2', 'machine:C']);
     expect(shopGraph(null).nodes).toEqual([]);
     expect(shopGraph({ machines: 'x', parts: [3] } as Json).nodes).toEqual([]);
   });

@@ -2,15 +2,15 @@
 
 import { significant, unitText } from '../format';
 import { t } from '../i18n';
-import { distinctPlans, quantile } from '../logic/trials';
+import { distinctPlans, quantile, type Sign } from '../logic/trials';
 import type { Trial, Variable } from '../types';
 import { tooltip } from './chart';
 import type { AnyOption, Option } from './echarts';
 import type { Theme } from './theme';
 
 /** Every plan a line through its variables and its objective; the best in colour. */
-export function parallelOption(trials: readonly Trial[], variables: readonly Variable[], objective: string, theme: Theme): AnyOption {
-  const best = distinctPlans(trials).slice(0, 400);
+export function parallelOption(trials: readonly Trial[], variables: readonly Variable[], objective: string, theme: Theme, sign: Sign = 1): AnyOption {
+  const best = distinctPlans(trials, sign).slice(0, 400);
   const values = best.map((x) => x.objective ?? 0);
   const low = values.length > 0 ? quantile(values, 0) : 0;
   const high = values.length > 0 ? quantile(values, 1) : 1;
@@ -18,17 +18,17 @@ export function parallelOption(trials: readonly Trial[], variables: readonly Var
   return {
     parallel: { left: 84, right: 84, top: 40, bottom: 22 },
     parallelAxis: [...variables.map((v, k) => ({ dim: k, name: v.name.length > 22 ? `${v.name.slice(0, 21)}…` : v.name, scale: true, ...axis })), { dim: variables.length, name: objective, scale: true, ...axis }],
-    visualMap: { show: false, type: 'continuous', dimension: variables.length, min: low, max: high > low ? high : low + 1, inRange: { color: [theme.cheap, theme.middle, theme.dear] } },
+    visualMap: { show: false, type: 'continuous', dimension: variables.length, min: low, max: high > low ? high : low + 1, inRange: { color: sign === 1 ? [theme.cheap, theme.middle, theme.dear] : [theme.dear, theme.middle, theme.cheap] } },
     series: [{ type: 'parallel', lineStyle: { width: 1, opacity: 0.45 }, data: [...best].reverse().map((x) => [...x.values, x.objective ?? 0]) }],
   };
 }
 
 /** Objective against one variable. */
-export function sliceOption(trials: readonly Trial[], variable: Variable, place: number, objective: string, unit: string, today: number | undefined, theme: Theme): Option {
+export function sliceOption(trials: readonly Trial[], variable: Variable, place: number, objective: string, unit: string, today: number | undefined, theme: Theme, sign: Sign = 1): Option {
   const known = trials.filter((x) => x.objective !== null);
   const values = known.map((x) => x.objective ?? 0);
-  const ceiling = values.length > 0 ? quantile(values, 0.9) : 1;
-  const shown = known.filter((x) => (x.objective ?? 0) <= ceiling);
+  const edge = values.length > 0 ? quantile(values, sign === 1 ? 0.9 : 0.1) : 1;
+  const shown = known.filter((x) => sign * (x.objective ?? 0) <= sign * edge);
   const name = `${variable.name}${unitText(variable.unit) ? `, ${unitText(variable.unit)}` : ''}`;
   return {
     grid: { left: 62, right: 18, top: 16, bottom: 42 },

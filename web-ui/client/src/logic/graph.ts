@@ -30,37 +30,46 @@ const isObject = (v: Json | undefined): v is ObjectJson => typeof v === 'object'
 const list = (v: Json | undefined): ObjectJson[] => (Array.isArray(v) ? v.filter(isObject) : []);
 const text = (v: Json | undefined): string => (typeof v === 'string' ? v : '');
 
-/** Pairs of operation names that follow each other: a list of names is a chain; {from, to} pairs are taken as they are. */
-export function routePairs(route: Json | undefined, operations: ReadonlySet<string>): { chain: string[]; pairs: [string, string][] } {
-  const chain: string[] = [];
-  const pairs: [string, string][] = [];
-  const visit = (value: Json): void => {
-    if (typeof value === 'string') {
-      if (operations.has(value)) chain.push(value);
-    } else if (Array.isArray(value)) value.forEach(visit);
-    else if (isObject(value)) {
-      const from = text(value['from']);
-      const targets = Array.isArray(value['to']) ? value['to'] : [value['to']];
-      if (operations.has(from)) {
-        for (const target of targets) {
-          const to = isObject(target) ? text(target['operation']) || text(target['name']) : text(target);
-          if (operations.has(to)) pairs.push([from, to]);
-        }
-      } else Object.values(value).forEach(visit);
-    }
-  };
-  if (route !== undefined && route !== null) visit(route);
-  for (let k = 1; k < chain.length; ++k) pairs.push([chain[k - 1] ?? '', chain[k] ?? '']);
-  const first = chain[0] ?? pairs[0]?.[0];
-  return { chain: chain.length > 0 ? chain : first ? [first, ...new Set(pairs.flat())] : [], pairs };
+/** A route as pairs of steps; -1 is the way in, and a step beyond the last the way out. */
+export interface Flow {
+  operations: string[];
+  pairs: [number, number][];
+}
+
+/** The route of a part: a list of operations one after the other, or a graph of steps with branches and rework. */
+export function flowOf(part: ObjectJson): Flow {
+  const steps = list(part['steps']);
+  if (steps.length === 0) {
+    const operations = Array.isArray(part['route']) ? part['route'].map(text).filter(Boolean) : [];
+    return { operations, pairs: operations.length === 0 ? [] : Array.from({ length: operations.length + 1 }, (_, k) => [k - 1, k]) };
+  }
+  const place = new Map(steps.map((s, k) => [text(s['name']), k]));
+  const target = (name: string) => (name === '' ? steps.length : (place.get(name) ?? steps.length));
+  const pairs: [number, number][] = [[-1, 0]];
+  steps.forEach((step, k) => {
+    const next = list(step['next']);
+    if (next.length === 0) pairs.push([k, k + 1]);
+    for (const branch of next) pairs.push([k, target(text(branch['to']))]);
+    const rework = text(step['rework']);
+    if (rework !== '') pairs.push([k, target(rework)]);
+  });
+  return { operations: steps.map((s) => text(s['operation'])), pairs };
+}
+
+/** The machine groups that may do an operation: one, several, or those with a capability. */
+export function groupsOf(operation: ObjectJson | undefined, machines: readonly ObjectJson[]): string[] {
+  const one = text(operation?.['machine']);
+  if (one !== '') return [one];
+  const several = operation?.['machines'];
+  if (Array.isArray(several) && several.length > 0) return several.map(text);
+  const capability = text(operation?.['capability']);
+  return capability === '' ? [] : machines.filter((m) => Array.isArray(m['capabilities']) && m['capabilities'].includes(capability)).map((m) => text(m['name']));
 }
 
 export function shopGraph(scenario: Json): ShopGraph {
   if (!isObject(scenario)) return { nodes: [], edges: [] };
   const machines = list(scenario['machines']);
-  const operations = list(scenario['operations']);
-  const machineOf = new Map(operations.map((o) => [text(o['name']), Array.isArray(o['machine']) ? text(o['machine'][0]) : text(o['machine'])]));
-  const names = new Set(machineOf.keys());
+  const operations = new Map(list(scenario['operations']).map((o) => [text(o['name']), o]));
   const edges = new Map<string, ShopEdge>();
   const link = (from: string, to: string, part: string) => {
     if (from === to) return;
@@ -69,20 +78,12 @@ export function shopGraph(scenario: Json): ShopGraph {
     if (!edge.parts.includes(part)) edge.parts.push(part);
     edges.set(key, edge);
   };
-  const used = new Set<string>();
   for (const part of list(scenario['parts'])) {
     const name = text(part['name']);
-    const { chain, pairs } = routePairs(part['route'], names);
-    const machine = (operation: string) => `machine:${machineOf.get(operation) ?? ''}`;
-    const source = 'source:';
-    if (chain.length === 0) continue;
-    const last = chain.at(-1) ?? '';
-    const sinks = pairs.length > 0 ? [...new Set(pairs.map(([, to]) => to))].filter((to) => !pairs.some(([from]) => from === to)) : [last];
-    link(source, machine(chain[0] ?? ''), name);
-    for (const [from, to] of pairs) link(machine(from), machine(to), name);
-    const store = text(part['store']);
-    for (const sink of sinks.length > 0 ? sinks : [last]) link(machine(sink), store ? `store:${store}` : 'store:', name);
-    chain.forEach((o) => used.add(machine(o)));
+    const flow = flowOf(part);
+    const places = (k: number): string[] =>
+      k < 0 ? ['source:'] : k >= flow.operations.length ? [`store:${text(part['store'])}`] : groupsOf(operations.get(flow.operations[k] ?? ''), machines).map((g) => `machine:${g}`);
+    for (const [a, b] of flow.pairs) for (const from of places(a)) for (const to of places(b)) link(from, to, name);
   }
 
   const nodes: ShopNode[] = [];

@@ -14,7 +14,7 @@ export interface Block {
 }
 
 /** What the study page shows in its own way. */
-const known = new Set(['objective', 'unit', 'baseline', 'best', 'evaluations', 'saving', 'verdict', 'words', 'currency']);
+const known = new Set(['objective', 'unit', 'baseline', 'best', 'evaluations', 'saving', 'verdict', 'words', 'currency', 'direction', 'plan']);
 
 type ObjectValue = Record<string, unknown>;
 const isObject = (v: unknown): v is ObjectValue => typeof v === 'object' && v !== null && !Array.isArray(v);
@@ -28,7 +28,7 @@ export function flat(value: ObjectValue, prefix = ''): [string, Scalar][] {
     if (isObject(v)) return flat(v, `${name}/`);
     // A list of named values reads as its members: [{"name": "speed", "value": 47}] is speed 47.
     if (Array.isArray(v) && v.every((e) => isObject(e) && typeof e['name'] === 'string' && 'value' in e))
-      return (v as ObjectValue[]).map((e) => [String(e['name']), isScalar(e['value']) ? e['value'] : JSON.stringify(e['value'])]);
+      return (v as ObjectValue[]).map((e) => [String(e['name']), typeof e['text'] === 'string' ? e['text'] : isScalar(e['value']) ? e['value'] : JSON.stringify(e['value'])]);
     return [[name, Array.isArray(v) && v.every(isScalar) ? v.join(', ') : JSON.stringify(v)]];
   });
 }

@@ -3,15 +3,21 @@
 import type { JsonSchema } from '../types';
 import type { Json } from './pointer';
 
-/** A local reference followed. */
+/** A local reference followed, and "this or null" taken for this: leaving a member out says null. */
 export function resolve(root: JsonSchema, schema: JsonSchema): JsonSchema {
   let here = schema;
-  for (let k = 0; k < 16 && here.$ref?.startsWith('#/'); ++k) {
-    let next: unknown = root;
-    for (const step of here.$ref.slice(2).split('/')) next = (next as Record<string, unknown> | undefined)?.[step];
-    if (typeof next !== 'object' || next === null) break;
-    const { $ref: _, ...beside } = here;
-    here = { ...(next as JsonSchema), ...beside };
+  for (let k = 0; k < 16; ++k) {
+    const { $ref, anyOf, ...beside } = here;
+    if ($ref?.startsWith('#/')) {
+      let next: unknown = root;
+      for (const step of $ref.slice(2).split('/')) next = (next as Record<string, unknown> | undefined)?.[step];
+      if (typeof next !== 'object' || next === null) break;
+      here = { ...(next as JsonSchema), ...beside };
+    } else if (anyOf) {
+      const real = anyOf.filter((one) => one.type !== 'null');
+      if (real.length !== 1) break;
+      here = { ...real[0], ...beside };
+    } else break;
   }
   return here;
 }

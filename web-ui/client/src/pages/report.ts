@@ -6,7 +6,7 @@ import { dateTime, estimateText, fixed, significant, unitText } from '../format'
 import { named, t } from '../i18n';
 import { difference } from '../logic/statistics';
 import { section, type PageMaker } from '../page';
-import type { Kpi, Run, Study } from '../types';
+import type { Kpi, PlanPoint, Run, Study } from '../types';
 import { findingWords } from './study';
 
 interface Move {
@@ -22,8 +22,8 @@ export function moves(study: Study): Move[] {
   const { baseline, best } = study.result;
   if (!baseline || !best) return [];
   return study.variables.flatMap((v) => {
-    const from = baseline.values.find((x) => x.pointer === v.pointer)?.value;
-    const to = best.values.find((x) => x.pointer === v.pointer)?.value;
+    const of = (p: PlanPoint): unknown => { const found = p.values.find((x) => x.pointer === v.pointer); return found?.text ?? found?.value; };
+    const [from, to] = [of(baseline), of(best)];
     if (from === undefined || to === undefined) return [];
     const numbers = typeof from === 'number' && typeof to === 'number' && v.high > v.low;
     return [{ name: v.name, unit: v.unit, from, to, share: numbers ? Math.abs(to - from) / (v.high - v.low) : JSON.stringify(from) === JSON.stringify(to) ? 0 : 1 }];
@@ -59,7 +59,7 @@ export const reportPage: PageMaker = async (context, [id = '']) => {
   const same = effects.filter((e) => e.d.verdict === 'indistinguishable');
   const bounds = study.variables.filter((v) => {
     const to = study.result.best?.values.find((x) => x.pointer === v.pointer)?.value;
-    return typeof to === 'number' && v.high > v.low && Math.min(Math.abs(to - v.low), Math.abs(v.high - to)) < smallStep * (v.high - v.low);
+    return v.type !== 'categorical' && typeof to === 'number' && v.high > v.low && Math.min(Math.abs(to - v.low), Math.abs(v.high - to)) < smallStep * (v.high - v.low);
   });
   return {
     title: `${t('report.title')}: ${study.name}`,

@@ -256,7 +256,7 @@ export const runPage: PageMaker = async (context, [id = '']) => {
       changes.length > 0
         ? h('p', { class: 'facts' }, `${t('run.changes')}: `, changes.map((c, k) => [k > 0 ? ', ' : '', h('code', {}, c.value ? `${c.pointer} = ${c.value}` : c.pointer)]))
         : null,
-      h('p', { class: 'row no-print' }, h('a', { href: `#/scenario/run/${run.id}`, class: 'button' }, t('run.change')), h('a', { href: `#/sheet/${run.id}` }, t('sheet.title')), version.read_only ? null : againSection(context, run)),
+      h('p', { class: 'row no-print' }, h('a', { href: `#/scenario/run/${run.id}`, class: 'button' }, t('run.change')), h('a', { href: `#/sheet/${run.id}` }, t('sheet.title')), h('a', { href: `#/trace/${run.id}` }, t('nav.trace')), version.read_only ? null : againSection(context, run)),
       annotationEditor('runs', run.id, run, version.read_only),
       tiles(run),
       h('div', { class: 'columns' }, timeSection(context, run), toolSection(run)),

@@ -5,6 +5,7 @@ import { api } from '../api';
 import { fragment, h, table } from '../dom';
 import { dateTime, significant, whole } from '../format';
 import { t } from '../i18n';
+import { groupsOf } from '../logic/graph';
 import { applyChanges, type Json } from '../logic/pointer';
 import { changeSheet, stops, type SheetRow, type ToolJob } from '../logic/windows';
 import { section, type PageMaker } from '../page';
@@ -20,6 +21,7 @@ export const sheetPage: PageMaker = async (context, [id = '']) => {
   const [run, stored] = await Promise.all([api.run(id, false, context.signal), api.runScenario(id, context.signal)]);
   const scenario = applyChanges(JSON.parse(stored.scenario) as Json, stored.changes) as ObjectJson;
   const tools = new Map(list(scenario['tools']).map((x) => [text(x['name']), x]));
+  const groups = list(scenario['machines']);
   const jobs: ToolJob[] = [];
   const failed: string[] = [];
   for (const operation of list(scenario['operations'])) {
@@ -37,7 +39,7 @@ export const sheetPage: PageMaker = async (context, [id = '']) => {
         const answer = await api.evaluate(key, inputs, context.signal);
         age = typeof answer['T_gamma_min'] === 'number' ? answer['T_gamma_min'] : null;
       }
-      jobs.push({ machine: text(operation['machine']), tool: text(operation['tool']), operation: name, cutting_min: plan.main_time_min, age_min: age });
+      jobs.push({ machine: groupsOf(operation, groups).join(', '), tool: text(operation['tool']), operation: name, cutting_min: plan.main_time_min, age_min: age });
     } catch (e) {
       if (context.signal.aborted) throw e;
       failed.push(`${name}: ${String(e instanceof Error ? e.message : e)}`);

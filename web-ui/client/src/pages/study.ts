@@ -9,14 +9,15 @@ import { dateTime, estimateText, fixed, significant, unitText, whole } from '../
 import { language, named, t } from '../i18n';
 import { blocks, frontOf, type Block } from '../logic/result';
 import { title } from '../logic/schema';
-import { distinctPlans } from '../logic/trials';
+import { distinctPlans, type Sign } from '../logic/trials';
 import { annotationEditor, changeList, downloadButton, section, type PageContext, type PageMaker } from '../page';
 import type { PlanPoint, Study, Trial } from '../types';
 
 /** What the study found in a sentence: the program's own words, or their translation from the same numbers. */
 export function findingWords(study: Pick<Study, 'result'>): string {
   const r = study.result;
-  if (language() === 'en' && r.words) return r.words.replace(/\+-/g, '±');
+  // The words of other objectives than a cost are not translated here.
+  if (r.words && (language() === 'en' || !(r.objective ?? 'cost').startsWith('cost'))) return r.words.replace(/\+-/g, '±');
   const base = r.baseline?.simulated.mean;
   const saving = r.saving?.mean;
   const half = r.saving?.half_width;
@@ -54,7 +55,7 @@ function pointSection(study: Study): HTMLElement {
   const objective = named('kpi', study.objective);
   const value = (p: PlanPoint, pointer: string) => {
     const found = p.values.find((v) => v.pointer === pointer);
-    return found ? valueText(found.value) : '–';
+    return found ? (found.text ?? valueText(found.value)) : '–';
   };
   const rows: PointRow[] = study.variables.map((v) => ({
     head: h('span', { title: v.pointer }, v.name),
@@ -106,6 +107,8 @@ interface Trials {
 const at = (study: Study, p: PlanPoint | undefined): number[] | undefined =>
   p ? study.variables.map((v) => { const x = p.values.find((q) => q.pointer === v.pointer)?.value; return typeof x === 'number' ? x : (v.options ?? []).findIndex((o) => JSON.stringify(o) === JSON.stringify(x)); }) : undefined;
 
+const signOf = (study: Study): Sign => (study.result['direction'] === 'maximize' ? -1 : 1);
+
 function trialRows(study: Study, trials: Trials) {
   return () => [
     [t('col.number'), t('col.stage'), ...study.variables.map((v) => v.name), study.objective],
@@ -145,12 +148,12 @@ function trialSections(context: PageContext, study: Study, trials: Trials, redra
   const objective = named('kpi', study.objective);
   const today = study.result.baseline?.analytic ?? null;
   const noise = study.result.best?.simulated?.half_width_95 ?? null;
-  const history = chart(context, t('study.history'), 'large', (theme) => historyOption(trials.list, objective, unit, today, noise, theme), { name: t('study.history'), data: trialRows(study, trials) });
+  const history = chart(context, t('study.history'), 'large', (theme) => historyOption(trials.list, objective, unit, today, noise, theme, signOf(study)), { name: t('study.history'), data: trialRows(study, trials) });
   redraws.push(history.redraw);
   let place = 0;
   const todayAt = at(study, study.result.baseline);
-  const slice = study.variables.length > 0 ? chart(context, t('study.slice'), 'medium', (theme) => sliceOption(trials.list, study.variables[place] as Study['variables'][number], place, objective, unit, todayAt?.[place], theme), { name: t('study.slice'), data: trialRows(study, trials) }) : null;
-  const parallel = study.variables.length > 0 ? chart(context, t('study.parallel'), 'medium', (theme) => parallelOption(trials.list, study.variables, objective, theme), { name: t('study.parallel'), data: trialRows(study, trials) }) : null;
+  const slice = study.variables.length > 0 ? chart(context, t('study.slice'), 'medium', (theme) => sliceOption(trials.list, study.variables[place] as Study['variables'][number], place, objective, unit, todayAt?.[place], theme, signOf(study)), { name: t('study.slice'), data: trialRows(study, trials) }) : null;
+  const parallel = study.variables.length > 0 ? chart(context, t('study.parallel'), 'medium', (theme) => parallelOption(trials.list, study.variables, objective, theme, signOf(study)), { name: t('study.parallel'), data: trialRows(study, trials) }) : null;
   if (slice) redraws.push(slice.redraw);
   if (parallel) redraws.push(parallel.redraw);
   const pick = h('select', { id: 'slice-variable', onchange: () => { place = Number(pick.value); slice?.redraw(); } }, study.variables.map((v, k) => h('option', { value: k }, v.name)));
@@ -175,7 +178,7 @@ function trialSections(context: PageContext, study: Study, trials: Trials, redra
           ...study.variables.map((v, k) => ({ head: v.name, unit: unitText(v.unit), number: true, cell: (r: Trial) => (v.type === 'categorical' ? valueText(v.options?.[r.values[k] ?? 0]) : significant(r.values[k] ?? NaN)), raw: (r: Trial) => r.values[k] })),
           { head: objective, unit, number: true, cell: (r) => (r.objective === null ? '–' : significant(r.objective, 8)), raw: (r) => r.objective },
         ],
-        distinctPlans(trials.list).slice(0, 12),
+        distinctPlans(trials.list, signOf(study)).slice(0, 12),
       ),
     ),
   ];
@@ -217,11 +220,8 @@ function continueLink(study: Study): Child {
 const often = 2000;
 
 export const studyPage: PageMaker = async (context, [id = '']) => {
-  const [study, version, sample] = await Promise.all([
-    api.study(id, context.signal),
-    api.version(context.signal),
-    api.trials(id, `sample=${mostDrawn}`, context.signal),
-  ]);
+  const [study, version] = await Promise.all([api.study(id, context.signal), api.version(context.signal)]);
+  const sample = await api.trials(id, `sample=${mostDrawn}&best=${signOf(study) === 1 ? 'low' : 'high'}`, context.signal);
   const changes = changeList(study.changes);
   const trials: Trials = { total: sample.total, list: sample.trials };
   const redraws: (() => void)[] = [];

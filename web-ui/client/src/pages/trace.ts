@@ -1,11 +1,13 @@
-// The Gantt chart of one replication, from a trace file: from a year to a minute, drawn by pixels.
+// The Gantt chart of one replication, of a run or from a trace file: from a year to a minute, drawn by pixels.
 
+import { api, ApiError } from '../api';
 import { colourOf, currentTheme } from '../charts/theme';
 import { fragment, h, table } from '../dom';
 import { fixed, significant } from '../format';
 import { named, t } from '../i18n';
 import { bars, readTrace, stateShares, type Trace, type TraceRow } from '../logic/gantt';
 import { section, type PageContext, type PageMaker } from '../page';
+import { jobPanel } from '../ui/job';
 import { saveMenu } from '../ui/save';
 
 const rowHeight = 22;
@@ -13,7 +15,8 @@ const axisHeight = 26;
 const labelWidth = 130;
 const shortest = 1; // minutes across the picture
 
-export const tracePage: PageMaker = async (context) => {
+export const tracePage: PageMaker = async (context, [run = '']) => {
+  const version = await api.version(context.signal);
   const place = h('div');
   const note = h('p', { class: 'bad', role: 'alert' });
   const file = h('input', { id: 'trace-file', type: 'file', accept: '.json,application/json', onchange: () => {
@@ -28,9 +31,25 @@ export const tracePage: PageMaker = async (context) => {
       }
     });
   } });
+  const replication = h('input', { id: 'trace-replication', type: 'text', inputmode: 'numeric', value: '1', size: 4 });
+  const jobs = h('div');
+  const record = () => {
+    note.textContent = '';
+    api.startJob({ kind: 'trace', run: Number(run), replication: Math.max(0, Math.round(Number(replication.value)) - 1) }).then(
+      (job) => jobs.replaceChildren(jobPanel(context, job, (end) => {
+        if (end.state !== 'finished') return;
+        api.jobOutput(end.id, context.signal).then(
+          (json) => place.replaceChildren(gantt(context, readTrace(json), `${end.title}, ${t('trace.replication')} ${Number(end.result?.replication ?? 0) + 1}`)),
+          (e: unknown) => (note.textContent = e instanceof Error ? e.message : String(e)),
+        );
+      })),
+      (e: unknown) => (note.textContent = e instanceof ApiError && e.message ? e.message : t('state.offline')),
+    );
+  };
+  const ofRun = run === '' ? null : section(t('run.title', { id: run }), '', h('p', { class: 'row no-print' }, h('label', { for: 'trace-replication' }, t('trace.replication')), replication, h('button', { type: 'button', id: 'record', disabled: version.read_only, onclick: record }, t('trace.record')), h('a', { href: `#/runs/${run}` }, t('run.title', { id: run }))), jobs);
   return {
     title: t('nav.trace'),
-    body: fragment(h('h1', {}, t('nav.trace')), section(t('trace.open'), '', h('p', { class: 'row no-print' }, h('label', { for: 'trace-file' }, t('trace.file')), file), h('p', { class: 'muted' }, t('trace.hint')), note), place),
+    body: fragment(h('h1', {}, t('nav.trace')), ofRun, section(t('trace.open'), '', h('p', { class: 'row no-print' }, h('label', { for: 'trace-file' }, t('trace.file')), file), h('p', { class: 'muted' }, t('trace.hint')), note), place),
   };
 };
 
