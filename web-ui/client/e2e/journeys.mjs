@@ -89,6 +89,7 @@ try {
   const charts = async (count) => page.waitForFunction((n) => document.querySelectorAll('.chart[data-drawn]').length >= n, count);
   const picture = async (name) => {
     if (!options.images) return;
+    await page.evaluate(() => scrollTo(0, 0));
     mkdirSync(options.images, { recursive: true });
     writeFileSync(join(options.images, `${name}.png`), await page.screenshot());
   };

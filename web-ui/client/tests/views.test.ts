@@ -121,6 +121,8 @@ describe('the Gantt chart', () => {
     expect(() => readTrace({ machines: [{}] })).toThrow('/machines/0');
     expect(() => readTrace([])).toThrow('object');
     expect(() => readTrace({})).toThrow('machines');
+    expect(readTrace({ machines: [{ name: 'm', intervals: [[0, 2, 'a']] }], queues: [['g', 0, 1], ['h', 1, 2], ['g', 1.5, 0]] }).queues).toEqual([{ name: 'g', points: [[0, 1], [1.5, 0]] }, { name: 'h', points: [[1, 2]] }]);
+    expect(() => readTrace({ machines: [{ name: 'm', intervals: [] }], queues: [['g', '0', 1]] })).toThrow('/queues');
     expect(readTrace({ machines: [{ name: 'm', intervals: [[0, 2, 'a']] }], tools: [{ name: 't', intervals: [[0, 1, 'b']] }] })).toMatchObject({ end: 2, states: ['a', 'b'] });
   });
 });

@@ -379,6 +379,8 @@ export const en = {
   'trace.replication': 'Replication',
   'trace.record': 'Record',
   'job.kind.trace': 'trace',
+  'trace.queues': 'Queues over time',
+  'trace.waiting': 'batches waiting',
   'trace.open': 'Trace of one replication',
   'trace.file': 'Trace file',
   'trace.hint': 'JSON with "machines": name and intervals [start_min, end_min, state]. Wheel or + and - zoom, arrows move.',

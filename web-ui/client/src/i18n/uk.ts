@@ -381,6 +381,8 @@ export const uk: Record<Key, string> = {
   'trace.replication': 'Повтор',
   'trace.record': 'Записати',
   'job.kind.trace': 'траса',
+  'trace.queues': 'Черги в часі',
+  'trace.waiting': 'партій чекає',
   'trace.open': 'Траса одного повтору',
   'trace.file': 'Файл траси',
   'trace.hint': 'JSON із "machines": назва та інтервали [start_min, end_min, state]. Колесо або + і - змінюють масштаб, стрілки пересувають.',

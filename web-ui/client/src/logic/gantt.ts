@@ -5,18 +5,24 @@ export interface TraceRow {
   name: string;
   intervals: Interval[];
 }
+export interface QueueSeries {
+  name: string;
+  /** [time in minutes, waiting from then on] */
+  points: [number, number][];
+}
 export interface Trace {
+  queues: QueueSeries[];
   rows: TraceRow[];
   end: number;
   states: string[];
 }
 
-/** Reads {"machines": [{"name", "intervals": [[start_min, end_min, "state"], ...]}]}; other lists of the same form (tools, crews) are taken, too. Throws an Error that names the place. */
+/** Reads {"machines": [{"name", "intervals": [[start_min, end_min, "state"], ...]}]}; other lists of the same form (tools, crews) are taken, too, and "queues": [[name, at_min, waiting], ...]. Throws an Error that names the place. */
 export function readTrace(json: unknown): Trace {
   if (typeof json !== 'object' || json === null || Array.isArray(json)) throw new Error('the trace must be an object with "machines"');
   const rows: TraceRow[] = [];
   for (const [group, list] of Object.entries(json)) {
-    if (!Array.isArray(list)) continue;
+    if (!Array.isArray(list) || group === 'queues') continue;
     list.forEach((entry: unknown, k) => {
       const e = entry as { name?: unknown; intervals?: unknown };
       if (typeof e?.name !== 'string' || !Array.isArray(e.intervals)) {
@@ -35,7 +41,16 @@ export function readTrace(json: unknown): Trace {
     });
   }
   if (rows.length === 0) throw new Error('the trace has no "machines" with intervals');
-  return { rows, end: Math.max(...rows.map((r) => r.intervals.at(-1)?.[1] ?? 0)), states: [...new Set(rows.flatMap((r) => r.intervals.map((i) => i[2])))] };
+  const queues = new Map<string, [number, number][]>();
+  const given = (json as { queues?: unknown }).queues;
+  for (const entry of Array.isArray(given) ? (given as unknown[]) : []) {
+    const [name, time, waiting] = Array.isArray(entry) ? (entry as unknown[]) : [];
+    if (typeof name !== 'string' || typeof time !== 'number' || typeof waiting !== 'number') throw new Error('/queues: each entry must be [name, at_min, waiting]');
+    const points = queues.get(name);
+    if (points) points.push([time, waiting]);
+    else queues.set(name, [[time, waiting]]);
+  }
+  return { queues: [...queues].map(([name, points]) => ({ name, points })), rows, end: Math.max(...rows.map((r) => r.intervals.at(-1)?.[1] ?? 0)), states: [...new Set(rows.flatMap((r) => r.intervals.map((i) => i[2])))] };
 }
 
 /** First interval that ends after `time` (binary search; intervals are in order). */

@@ -7,6 +7,7 @@ import { named, t, type Key } from '../i18n';
 import { find } from '../logic/kpis';
 import { changeList, command, section, type PageMaker } from '../page';
 import type { Page, RunHeader, StudyHeader } from '../types';
+import { activeJobs } from '../ui/job';
 import { findingWords } from './study';
 
 const perPage = 20;
@@ -46,7 +47,7 @@ function pager(page: Page, load: (offset: number) => void): HTMLElement | null {
 
 function statusText(status: string): string {
   const key = `study.status.${status}`;
-  return key === 'study.status.running' || key === 'study.status.finished' || key === 'study.status.failed' ? t(key as Key) : status;
+  return key === 'study.status.running' || key === 'study.status.finished' || key === 'study.status.failed' || key === 'study.status.interrupted' ? t(key as Key) : status;
 }
 
 function moneyCell(run: RunHeader, name: string): Node {
@@ -150,6 +151,10 @@ export const homePage: PageMaker = async (context) => {
   };
   showStudies(studies);
 
+  const active = await activeJobs(context, ['run', 'study', 'again', 'trace'], () => {
+    reload();
+    void api.studies({ ...studyQuery }, context.signal).then(showStudies, () => undefined);
+  });
   const latest = studies.studies.find((s) => s.status === 'finished');
   const report = latest ? await api.study(String(latest.id), context.signal) : undefined;
   return {
@@ -165,6 +170,7 @@ export const homePage: PageMaker = async (context) => {
             h('p', { class: 'row' }, h('a', { href: `#/studies/${report.id}` }, t('home.open')), h('a', { href: `#/report/${report.id}` }, t('report.title'))),
           )
         : null,
+      active,
       section(t('home.studies'), studies.total ? whole(studies.total) : '', studyPlace),
       section(t('home.runs'), runs.total ? whole(runs.total) : '', h('p', { class: 'row no-print' }, h('label', { for: 'run-search' }, t('home.search')), search, h('label', { for: 'run-tag' }, t('note.tags')), tagPick), runPlace),
     ),

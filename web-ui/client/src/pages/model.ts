@@ -44,7 +44,7 @@ function cell(value: unknown): Child {
 /** A slider beside a number, over its range or about its example. */
 function slider(field: Field, input: HTMLInputElement, moved: () => void): Child {
   if (field.kind !== 'number' && field.kind !== 'integer') return null;
-  const value = parseNumber(input.value);
+  const value = parseNumber(input.value) ?? parseNumber(input.placeholder);
   if (value === null) return null;
   const { low, high } = sliderRange(field, value);
   const range = h('input', { type: 'range', min: low, max: high, step: field.kind === 'integer' ? 1 : 'any', value, class: 'slider', 'aria-label': t('plan.move', { name: field.name }), oninput: () => {

@@ -14,7 +14,7 @@ import { difference } from '../logic/statistics';
 import { section, type PageContext, type PageMaker } from '../page';
 import type { Job, JsonSchema, Kpi, Run } from '../types';
 import { SchemaForm } from '../ui/form';
-import { jobPanel } from '../ui/job';
+import { activeJobs, jobPanel } from '../ui/job';
 
 async function openOrigin(origin: string, id: string, signal: AbortSignal): Promise<Draft | undefined> {
   if (origin === 'run') {
@@ -339,6 +339,8 @@ function workbench(context: PageContext, schema: JsonSchema, first: Draft, choos
   drawSmall();
   check();
   void drawResults();
+  // Jobs started before one looked elsewhere.
+  activeJobs(context, ['run', 'study'], ended).then((panels) => jobs.append(...panels), () => undefined);
   return fragment(
     heading,
     h('div', { class: 'bar no-print' },

@@ -1,6 +1,8 @@
 // The Gantt chart of one replication, of a run or from a trace file: from a year to a minute, drawn by pixels.
 
 import { api, ApiError } from '../api';
+import { chart } from '../charts/chart';
+import { queueOption } from '../charts/queues';
 import { colourOf, currentTheme } from '../charts/theme';
 import { fragment, h, table } from '../dom';
 import { fixed, significant } from '../format';
@@ -24,6 +26,7 @@ export const tracePage: PageMaker = async (context, [run = '']) => {
     if (!chosen) return;
     note.textContent = '';
     void chosen.text().then((text) => {
+      file.value = ''; // the same file may be chosen again when it has changed
       try {
         place.replaceChildren(gantt(context, readTrace(JSON.parse(text)), chosen.name));
       } catch (e) {
@@ -152,7 +155,17 @@ function gantt(context: PageContext, trace: Trace, name: string): DocumentFragme
       saveMenu(name, [{ label: 'PNG', file: 'gantt.png', content: () => new Promise<Blob>((resolve) => canvas.toBlob((b) => resolve(b ?? new Blob()))) }, { label: 'JSON', file: 'trace.json', content: () => new Blob([JSON.stringify({ machines: trace.rows })], { type: 'application/json' }) }]),
     ),
     section(t('trace.shares'), '%', shares),
+    queueSection(context, trace),
   );
+}
+
+/** How many batches wait before each machine group. */
+function queueSection(context: PageContext, trace: Trace): HTMLElement | null {
+  if (trace.queues.length === 0) return null;
+  const drawers: (() => void)[] = [];
+  const picture = chart({ ...context, whenShown: (d) => drawers.push(d) }, t('trace.queues'), 'large', (theme) => queueOption(trace.queues, trace.end, theme), { name: t('trace.queues'), data: () => [['machine', 'min', 'waiting'], ...trace.queues.flatMap((q) => q.points.map(([time, n]) => [q.name, time, n]))] });
+  requestAnimationFrame(() => drawers.forEach((d) => d()));
+  return section(t('trace.queues'), '', picture.element);
 }
 
 function swatch(colour: string): HTMLElement {

@@ -64,3 +64,9 @@ export function jobPanel(context: PageContext, first: Job, onEnd: (job: Job) => 
   void follow();
   return panel;
 }
+
+/** Panels of the jobs that are not over, wherever they were started. */
+export async function activeJobs(context: PageContext, kinds: readonly Job['kind'][], onEnd: (job: Job) => void): Promise<HTMLElement[]> {
+  const { jobs } = await api.jobs(context.signal);
+  return jobs.filter((job) => !isOver(job) && kinds.includes(job.kind)).map((job) => jobPanel(context, job, onEnd));
+}
