@@ -70,6 +70,8 @@ void add_runs(CLI::App& program);
 void add_schema(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_serve(CLI::App& program);
+void add_trace(CLI::App& program);
+void add_graph(CLI::App& program);
 
 /// Runs the whole program; returns its exit code.
 [[nodiscard]] int run_program(int argc, char** argv);

@@ -38,8 +38,8 @@ std::vector<std::string> Shop::audit() const {
     for (const std::size_t kind : store->kinds)
       largest_batch = std::max(largest_batch, scenario_.parts[kind].batch_size);
     if (store->spec->capacity && level > std::max(*store->spec->capacity, largest_batch))
-      broken.push_back(
-          fmt::format("store \"{}\": {} parts, capacity {}", store->spec->name, level, *store->spec->capacity));
+      broken.push_back(fmt::format("store \"{}\": {} parts, capacity {}", store->spec->name, level,
+                                   *store->spec->capacity));
   }
   for (const auto& spares : spares_)
     if (spares->stock != spares->spec->stock + static_cast<std::int64_t>(spares->delivered_ever) -
