@@ -99,8 +99,12 @@ std::optional<std::vector<std::string>> match(std::string_view pattern,
 
 }  // namespace
 
-Api::Api(std::filesystem::path database, std::string version, std::shared_ptr<Jobs> jobs)
-    : database_(std::move(database)), version_(std::move(version)), jobs_(std::move(jobs)) {}
+Api::Api(std::filesystem::path database, std::string version, std::shared_ptr<Jobs> jobs,
+         std::vector<std::string> study_flags)
+    : database_(std::move(database)),
+      version_(std::move(version)),
+      jobs_(std::move(jobs)),
+      study_flags_(std::move(study_flags)) {}
 
 std::vector<std::pair<std::string_view, std::string_view>> Api::routes() {
   std::vector<std::pair<std::string_view, std::string_view>> all;
@@ -124,6 +128,7 @@ Response Api::route(const Request& request, const Target& target) const {
       return r.handler({.database = database_,
                         .version = version_,
                         .jobs = jobs_.get(),
+                        .study_flags = study_flags_,
                         .request = request,
                         .target = target,
                         .parameters = std::move(*parameters)});

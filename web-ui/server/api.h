@@ -19,7 +19,8 @@ class Api {
   /// `database` is opened anew for every request and closed at once, so that no reader holds up a writer's
   /// checkpoints. `version` is the program's. Without `jobs` the interface is read-only: it evaluates and
   /// plans, but starts and stores nothing.
-  Api(std::filesystem::path database, std::string version, std::shared_ptr<Jobs> jobs = nullptr);
+  Api(std::filesystem::path database, std::string version, std::shared_ptr<Jobs> jobs = nullptr,
+      std::vector<std::string> study_flags = {});
 
   /// Answers a request whose path begins with "api". Never throws: what goes wrong is an error answer. May be
   /// called from several threads at once.
@@ -34,6 +35,7 @@ class Api {
   std::filesystem::path database_;
   std::string version_;
   std::shared_ptr<Jobs> jobs_;
+  std::vector<std::string> study_flags_;
 };
 
 }  // namespace verstat::web

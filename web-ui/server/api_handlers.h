@@ -16,6 +16,7 @@ struct Call {
   const std::filesystem::path& database;
   const std::string& version;
   Jobs* jobs;  ///< null: read-only
+  const std::vector<std::string>& study_flags;
   const Request& request;
   const Target& target;
   std::vector<std::string> parameters;  ///< the steps that stand for {id}, {key}

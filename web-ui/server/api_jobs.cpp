@@ -92,11 +92,10 @@ std::string repeated_result(const std::filesystem::path& database, std::int64_t 
   return result.dump();
 }
 
-JobSpec run_job(const Call& call, const json& body, const std::string& database) {
+JobSpec run_job(const json& body, const std::string& database) {
   const GivenScenario given = scenario_of(body);
   const scenarios::Scenario scenario = scenarios::load(given.changed);  // refused now, not in the child
   const std::string label = text_member(body, "label", "run", longest_label);
-  static_cast<void>(call);
   return {.kind = "run",
           .title = scenario.name,
           .arguments = with_changes({"run", "scenario.json", "--json", "--db", database, "--label=" + label},
@@ -105,18 +104,20 @@ JobSpec run_job(const Call& call, const json& body, const std::string& database)
           .finish = run_result};
 }
 
-JobSpec study_job(const json& body, const std::string& database) {
+JobSpec study_job(const Call& call, const json& body, const std::string& database) {
   const GivenScenario given = scenario_of(body);
   const scenarios::Scenario scenario = scenarios::load(given.changed);
   if (!body.contains("study") || !body["study"].is_object())
     throw Refused{400, "body: study: must be the study, an object as in a study file without \"scenario\""};
   json study = body["study"];
   study["scenario"] = "scenario.json";
+  std::vector<std::string> arguments = {"optimize", "study.json", "--json", "--db", database};
+  arguments.insert(arguments.end(), call.study_flags.begin(), call.study_flags.end());
   return {.kind = "study",
           .title = study.contains("name") && study["name"].is_string() ? study["name"].get<std::string>()
                                                                        : scenario.name,
           .lengthy = true,
-          .arguments = with_changes({"optimize", "study.json", "--json", "--db", database}, given.changes),
+          .arguments = with_changes(std::move(arguments), given.changes),
           .files = {{"scenario.json", given.text}, {"study.json", study.dump(2) + "\n"}},
           .finish = study_result};
 }
@@ -206,9 +207,9 @@ Response start_job(const Call& call) {
   const std::string database = std::filesystem::absolute(call.database).string();
   JobSpec spec;
   if (kind == "run") {
-    spec = run_job(call, body, database);
+    spec = run_job(body, database);
   } else if (kind == "study") {
-    spec = study_job(body, database);
+    spec = study_job(call, body, database);
   } else if (kind == "again") {
     spec = again_job(call, body, database);
   } else if (kind == "trace") {

@@ -330,6 +330,7 @@ try {
     const [, , merged, , age, cutting] = cells;
     assert.equal(Number(age), Number(plan.T_gamma_min.toPrecision(4)));
     assert.equal(Number(merged), Math.floor(plan.T_gamma_min / Number(plain(cutting))));
+    await charts(1);
     await page.emulateMedia({ media: 'print' });
     assert.equal(await page.locator('#top nav').isVisible(), false);
     assert.ok((await page.pdf({ format: 'A4' })).length > 10_000);
@@ -345,6 +346,17 @@ try {
   });
 
   await journey('the Gantt chart of a large run opens and zooms from a year to a minute', async () => {
+    await open('#/trace/1');
+    await page.click('#record');
+    await page.waitForSelector('canvas[data-bars]');
+    const trace = JSON.parse(execFileSync(options.program, ['trace', join(options.scenarios, 'heavy-lathe.json')], { encoding: 'utf8', maxBuffer: 1 << 28 }));
+    // The shares of the whole horizon are those of the trace that the command line writes.
+    const cutting = trace.machines[0].intervals.filter((i) => i[2] === 'cutting').reduce((sum, [a, b]) => sum + b - a, 0);
+    const column = (await page.locator('section:has-text("Shares of the time shown") thead th').allTextContents()).findIndex((x) => x.startsWith('cutting'));
+    const first = await page.locator('section:has-text("Shares of the time shown") tbody tr').first().locator('th, td').allTextContents();
+    assert.equal(first[0], trace.machines[0].name);
+    assert.equal(first[column], ((100 * cutting) / trace.horizon_min).toFixed(1));
+    await picture('gantt');
     const states = ['cutting', 'idle', 'planned_change'];
     const machines = Array.from({ length: 20 }, (_, m) => ({ name: `machine ${m + 1}`, intervals: Array.from({ length: 20_000 }, (__, k) => [k * 26, (k + 1) * 26, states[(k + m) % 3]]) }));
     const file = join(folder, 'trace.json');

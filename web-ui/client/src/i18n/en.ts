@@ -337,6 +337,8 @@ export const en = {
   'setup.jsonHint': 'What is sent. Constraints, several objectives and budgets are written here; changing the table above writes it anew.',
   'setup.start': 'Start the study',
   'setup.open': 'Open the study',
+  'sheet.survival': 'Share of the edges that live so long',
+  'sheet.changed': 'changed here',
   'sheet.title': 'Tool-change sheet',
   'sheet.operation': 'Operation',
   'sheet.merged': 'Change every',
