@@ -152,6 +152,12 @@ TEST_CASE("a study does not keep a simulation waiting") {
   CHECK(serving.get("/api/v1/jobs/1").parsed()["state"] == "running");
 }
 
+TEST_CASE("a child has nothing of the server's open but its pipes") {
+  const Serving serving({}, "", "ls -l /proc/self/fd | grep -c socket >&2; exit 4");
+  REQUIRE(serving.post("/api/v1/jobs", run_body()).status == 202);
+  CHECK(wait_for(serving, 1)["message"] == "0");
+}
+
 TEST_CASE("a child that fails, crashes or talks nonsense fails its job alone") {
   const Serving serving({}, "", R"(
 case "$6" in

@@ -1,6 +1,7 @@
 #pragma once
 // A server over a real socket for tests, and a client written with plain sockets, so that it can misbehave.
 
+#include <cerrno>
 #include <chrono>
 #include <filesystem>
 #include <fstream>
@@ -79,7 +80,10 @@ class Socket {
  private:
   bool read_some(std::string& all) const {
     char piece[8192];
-    const auto size = ::recv(descriptor_, piece, sizeof piece, 0);
+    // A child that ends may interrupt the call.
+    ssize_t size = 0;
+    do size = ::recv(descriptor_, piece, sizeof piece, 0);
+    while (size < 0 && errno == EINTR);
     if (size > 0) all.append(piece, static_cast<std::size_t>(size));
     return size > 0;
   }

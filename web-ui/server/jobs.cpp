@@ -109,6 +109,8 @@ class Child {
     posix_spawn_file_actions_adddup2(&actions, out_.write.get(), STDOUT_FILENO);
     posix_spawn_file_actions_adddup2(&actions, err_.write.get(), STDERR_FILENO);
     posix_spawn_file_actions_addchdir_np(&actions, folder.c_str());
+    // The server's sockets are not the child's business: it would hold the port beyond the server's end.
+    posix_spawn_file_actions_addclosefrom_np(&actions, STDERR_FILENO + 1);
     posix_spawnattr_t attributes;
     posix_spawnattr_init(&attributes);
     posix_spawnattr_setpgroup(&attributes, 0);

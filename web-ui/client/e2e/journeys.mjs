@@ -411,8 +411,6 @@ try {
     await page.press('#in-cv', 'Enter');
     await page.waitForSelector('#error-cv:has-text("no number")');
     await accessible(page, 'model');
-    await open('#/models/K117.part_cost');
-    await picture('model');
   });
   // The refused evaluations, plans and checks above are reported by the browser as failed requests; nothing else may be.
   const unexpected = complaints.splice(0).filter((c) => !/status of 422/.test(c));
