@@ -96,12 +96,17 @@ describe('the shop as a graph', () => {
 describe('the Gantt chart', () => {
   // 20,000 alternating intervals of 0.25 min: 5000 minutes.
   const row: TraceRow = { name: 'm', intervals: Array.from({ length: 20_000 }, (_, k) => [k / 4, (k + 1) / 4, k % 5 === 0 ? 'idle' : 'cutting']) };
-  it('draws at most one bar a pixel from afar, and every interval from near', () => {
-    expect(bars(row, 0, 5000, 1000).length).toBeLessThanOrEqual(1000);
+  it('draws no more from afar than pixels times states, areas as shares of the time, and every interval from near', () => {
+    const far = bars(row, 0, 5000, 1000);
+    expect(far.length).toBeLessThanOrEqual(2200);
+    const area = (state: string) => far.filter((b) => b.state === state).reduce((sum, b) => sum + b.width * b.height, 0) / 1000;
+    expect(area('idle')).toBeCloseTo(0.2, 9);
+    expect(area('cutting')).toBeCloseTo(0.8, 9);
+    expect(Math.max(...far.map((b) => b.width))).toBeLessThanOrEqual(1 + 1e-9);
     const near = bars(row, 10, 15, 1000);
     expect(near).toHaveLength(20);
     expect(near.reduce((sum, b) => sum + b.width, 0)).toBeCloseTo(1000, 9);
-    expect(near[0]).toEqual({ x: 0, width: 50, state: 'idle' });
+    expect(near[0]).toEqual({ x: 0, width: 50, top: 0, height: 1, state: 'idle' });
   });
   it('shows rare long states beside many short ones', () => {
     const mixed: TraceRow = { name: 'm', intervals: [...row.intervals.slice(0, 8000), [2000, 4000, 'down'], [4000, 4000.1, 'idle']] };

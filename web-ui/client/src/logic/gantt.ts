@@ -67,40 +67,43 @@ export function firstAfter(intervals: readonly Interval[], time: number): number
 export interface Bar {
   x: number;
   width: number;
+  /** Part of the row's height, from the top: all of it, or a state's share of a pixel. */
+  top: number;
+  height: number;
   state: string;
 }
 
 /**
- * Bars of one row within [from, to] over `pixels`. What is shorter than a pixel shares one with its neighbours, in the state
- * that has most of it: a year takes no more bars than the screen has pixels, and no time is lost or invented.
+ * Bars of one row within [from, to] over `pixels`. What is shorter than a pixel shares one with its neighbours, each state
+ * with its part of the height: a year takes no more bars than pixels times states, and areas are shares of the time.
  */
 export function bars(row: TraceRow, from: number, to: number, pixels: number): Bar[] {
   const scale = pixels / (to - from);
   const all: Bar[] = [];
-  let pixel = -1;
-  let shares = new Map<string, number>();
+  const shares = new Map<string, number>();
+  let [begin, end] = [0, 0]; // of the stretch that is being gathered
   const flush = () => {
-    if (shares.size === 0) return;
-    const [state] = [...shares].reduce((a, b) => (b[1] > a[1] ? b : a));
-    const last = all.at(-1);
-    if (last && last.state === state && Math.abs(last.x + last.width - pixel) < 1e-6) last.width += 1;
-    else all.push({ x: pixel, width: 1, state });
-    shares = new Map();
+    let top = 0;
+    for (const [state, share] of shares) {
+      all.push({ x: begin, width: end - begin, top, height: share / (end - begin), state });
+      top += share / (end - begin);
+    }
+    shares.clear();
   };
   for (let k = firstAfter(row.intervals, from); k < row.intervals.length; ++k) {
-    const [start, end, state] = row.intervals[k] as Interval;
+    const [start, stop, state] = row.intervals[k] as Interval;
     if (start >= to) break;
     const x0 = (Math.max(start, from) - from) * scale;
-    const x1 = (Math.min(end, to) - from) * scale;
+    const x1 = (Math.min(stop, to) - from) * scale;
+    if (x1 <= x0) continue;
+    if (shares.size > 0 && (x1 - x0 >= 1 || x1 - begin > 1 || x0 > end)) flush();
     if (x1 - x0 >= 1) {
-      flush();
-      all.push({ x: x0, width: x1 - x0, state });
-      pixel = -1;
-    } else {
-      if (Math.floor(x0) !== pixel) flush();
-      pixel = Math.floor(x0);
-      shares.set(state, (shares.get(state) ?? 0) + (x1 - x0));
+      all.push({ x: x0, width: x1 - x0, top: 0, height: 1, state });
+      continue;
     }
+    if (shares.size === 0) begin = x0;
+    end = x1;
+    shares.set(state, (shares.get(state) ?? 0) + (x1 - x0));
   }
   flush();
   return all;

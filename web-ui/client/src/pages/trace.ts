@@ -86,7 +86,7 @@ function gantt(context: PageContext, trace: Trace, name: string): DocumentFragme
       g.fillText(row.name, 0, y + rowHeight / 2, labelWidth - 8);
       for (const bar of bars(row, from, to, pixels)) {
         g.fillStyle = colour(bar.state);
-        g.fillRect(labelWidth + bar.x, y + 2, Math.max(1, bar.width), rowHeight - 4);
+        g.fillRect(labelWidth + bar.x, y + 2 + bar.top * (rowHeight - 4), Math.max(1, bar.width), bar.height * (rowHeight - 4));
         ++drawn;
       }
     });
