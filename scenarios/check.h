@@ -39,6 +39,10 @@ void check_reference(const std::vector<T>& all, const std::string& name, const s
 
 void check_insert(const Scenario& s, const Insert& insert, const std::string& at);
 void check_tool(const Scenario& s, const Tool& tool, const std::string& at);
+/// Of the operations that use it, when those have been checked.
+void check_tool_use(const Scenario& s, const Tool& tool, const std::string& at);
+/// The tools that its operations need have room in the magazine of the machine.
+void check_magazine(const Scenario& s, const Machine& machine, const std::string& at);
 void check_operation(const Scenario& s, const Operation& operation, const std::string& at);
 void check_part(const Scenario& s, const PartType& part, const std::string& at);
 void check_route(const Scenario& s, const PartType& part, const std::string& at);

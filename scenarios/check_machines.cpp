@@ -50,7 +50,11 @@ void check_machine(const Scenario& s, const Machine& machine, const std::string&
   if (machine.loading) check_law(*machine.loading, at + "/loading");
   if (machine.unloading) check_law(*machine.unloading, at + "/unloading");
   if (machine.attendance) check_crew_or_skill(s, machine.attendance->crew, at + "/attendance/crew");
-  if (machine.overload_reset) check_law(*machine.overload_reset, at + "/overload_reset");
+  if (machine.overload) {
+    check_law(machine.overload->repair, at + "/overload/repair");
+    if (!machine.overload->crew.empty())
+      check_crew_or_skill(s, machine.overload->crew, at + "/overload/crew");
+  }
   if (machine.switch_off) check_law(machine.switch_off->warm_up, at + "/switch_off/warm_up");
   if (machine.setup) {
     check_law(machine.setup->time, at + "/setup/time");

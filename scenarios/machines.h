@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "operations/kind.h"
+#include "operations/spindle.h"
 
 namespace verstat::scenarios {
 
@@ -101,6 +102,15 @@ struct Operator {
   Attendance during = Attendance::loading;
 };
 
+/// What happens when the safety clutch of the drive (limits/safety_clutch, K204) trips or does not save the
+/// drive.
+struct Overload {
+  std::string crew;              ///< who resets a clutch that does not close again by itself, and repairs
+  Duration repair;               ///< of a drive or tool that breaks
+  double damage = 0;             ///< money per break
+  double scrap_probability = 0;  ///< of the part in work, at a break
+};
+
 struct SwitchOff {
   double after_idle_min = 0;  ///< idle time after which the machine is switched off
   Duration warm_up;           ///< from switching on to the first chip; also at the start of a shift
@@ -112,6 +122,8 @@ struct Machine {
   std::int64_t count = 1;
   double rate_per_min = 0;
   operations::MachineLimits limits;
+  std::optional<operations::Spindle> spindle;
+  std::optional<std::int64_t> magazine;  ///< tool places; none: no bound
   std::vector<std::string> capabilities;
   Dispatch dispatch = Dispatch::fifo;
   std::optional<std::int64_t> queue_capacity;  ///< batches waiting before the group; none: no bound
@@ -124,7 +136,7 @@ struct Machine {
   AtShiftEnd repair_at_shift_end = AtShiftEnd::finish;
   std::vector<FailureMode> failures;
   std::vector<Maintenance> maintenance;
-  std::optional<Duration> overload_reset;  ///< after a trip of the overload clutch (K204)
+  std::optional<scenarios::Overload> overload;
   std::optional<SwitchOff> switch_off;
   Power power;
 };

@@ -113,6 +113,16 @@ std::vector<Field> StructFields<Operator>::fields() {
   return {need<Operator>(&Operator::crew, "crew", "-", no_range(), "crew or skill that attends the machine"),
           may<Operator>(&Operator::during, "during", "-", no_range(), "while loading, or from part to part")};
 }
+std::vector<Field> StructFields<scenarios::Overload>::fields() {
+  using O = scenarios::Overload;
+  return {
+      may<O>(&O::crew, "crew", "-", no_range(),
+             "crew or skill that resets a clutch which does not close by itself, and repairs"),
+      may<O>(&O::repair, "repair", "min", no_range(), "law of the repair time after a break of the drive"),
+      may<O>(&O::damage, "damage", "money", money, "cost of a break besides time"),
+      may<O>(&O::scrap_probability, "scrap_probability", "1", probability(),
+             "chance that a break scraps the part in work")};
+}
 std::vector<Field> StructFields<SwitchOff>::fields() {
   return {need<SwitchOff>(&SwitchOff::after_idle_min, "after_idle_min", "min", minutes,
                           "idle time after which the machine is switched off"),
@@ -129,6 +139,8 @@ std::vector<Field> StructFields<Machine>::fields() {
       may<M>(&M::rate_per_min, "rate_per_min", "money/min", money,
              "cost of a machine minute inside its calendar"),
       may<M>(&M::limits, "limits", "-", no_range(), "what the machine can do"),
+      may<M>(&M::spindle, "spindle", "-", no_range(), "dynamics of its spindle; null: not known"),
+      may<M>(&M::magazine, "magazine", "1", closed(1, 10'000), "tool places; none: as many as are wanted"),
       entries(may<M>(&M::capabilities, "capabilities", "-", no_range(), "names that operations may ask for"),
               0, 1000),
       may<M>(&M::dispatch, "dispatch", "-", no_range(), "which waiting batch is taken next"),
@@ -145,8 +157,8 @@ std::vector<Field> StructFields<Machine>::fields() {
              "a repair or maintenance job is finished, or goes on in the next shift"),
       entries(may<M>(&M::failures, "failures", "-", no_range(), "independent ways to fail"), 0, 100),
       entries(may<M>(&M::maintenance, "maintenance", "-", no_range(), "preventive maintenance"), 0, 100),
-      may<M>(&M::overload_reset, "overload_reset", "min", no_range(),
-             "law of the time to reset the overload clutch after a trip"),
+      may<M>(&M::overload, "overload", "-", no_range(),
+             "when the drive's safety clutch (limits/safety_clutch) trips or breaks"),
       may<M>(&M::switch_off, "switch_off", "-", no_range(), "switching off when idle"),
       may<M>(&M::power, "power", "-", no_range(), "electric power by state")};
 }

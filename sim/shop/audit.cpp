@@ -54,6 +54,7 @@ std::vector<std::string> Shop::audit() const {
       broken.push_back(
           fmt::format("machine \"{}\": states add up to {} of {} min", machine->name, sum_min, window_min()));
   }
+  audit_tools(broken);
   for (std::size_t k = 0; k < scenario_.crews.size(); ++k)
     if (labour_->busy_min(k) < 0)
       broken.push_back(

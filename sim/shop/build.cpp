@@ -59,6 +59,7 @@ Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication, Trace
       parts_(scenario.parts.size()) {
   build_operations();
   build_machines();
+  build_tools();
   build_flow();
   start();
 }
@@ -73,7 +74,7 @@ void Shop::build_operations() {
     unit.family = intern(families_, operation.family.empty() ? operation.name : operation.family);
     for (const std::size_t g : scenarios::groups_of(scenario_, operation)) {
       PlannedOperation planned{
-          &operation, g, scenarios::plan(scenario_, operation, scenario_.machines[g]), {}};
+          &operation, g, scenarios::plan(scenario_, operation, scenario_.machines[g]), {}, {}};
       if (planned.plan.time_law) planned.time_law = law_of(*planned.plan.time_law);
       unit.on.push_back(std::move(planned));
     }
@@ -92,7 +93,10 @@ void Shop::build_machines() {
       group.working_time.emplace(*calendar);
     if (machine.loading) group.loading_time = law_of(*machine.loading);
     if (machine.unloading) group.unloading_time = law_of(*machine.unloading);
-    if (machine.overload_reset) group.reset_time = law_of(*machine.overload_reset);
+    if (machine.overload) {
+      group.break_repair = law_of(machine.overload->repair);
+      group.overload_crews = labour_->crews_for(machine.overload->crew);
+    }
     if (machine.switch_off) group.warm_up_time = law_of(machine.switch_off->warm_up);
     if (machine.attendance) group.attendance_crews = labour_->crews_for(machine.attendance->crew);
     if (machine.setup) {
@@ -135,19 +139,6 @@ void Shop::build_machines() {
       }
     }
   }
-  for (const auto& machine : machines_)
-    for (const OperationUnit& operation : operations_) {
-      const std::string& name = operation.spec->tool;
-      const auto here = [&](const PlannedOperation& on) { return groups_[on.group].get() == machine->group; };
-      if (name.empty() || std::none_of(operation.on.begin(), operation.on.end(), here)) continue;
-      if (machine->tools.contains(name)) continue;
-      const std::size_t index = index_of(scenario_.tools, name);
-      const scenarios::Tool& tool = scenario_.tools[index];
-      machine->tools[name] = std::make_unique<MountedTool>(
-          scenario_, tool, index, labour_->crews_for(tool.crew),
-          machine->group->working_time ? &*machine->group->working_time : nullptr,
-          machine->name + "/" + tool.name, replication_);
-    }
 }
 
 void Shop::build_flow() {

@@ -36,6 +36,9 @@ constexpr std::array<Heading, cost_headings> headings = {{
     {"tardiness", "parts finished after their due date"},
     {"lost_demand", "customers who found the store empty"},
     {"energy", "electric energy"},
+    {"tool_swap", "machine minutes of swapping sister tools"},
+    {"tool_room", "crew minutes at tools off the machines"},
+    {"elements", "guide pads, dressings and other second elements"},
 }};
 }  // namespace
 
@@ -78,6 +81,8 @@ Cost heading_of(MachineState state) {
       return Cost::blocked;
     case MachineState::idle:
       return Cost::idle;
+    case MachineState::tool_swap:
+      return Cost::tool_swap;
     case MachineState::off:
     case MachineState::off_shift:
       return Cost::off;

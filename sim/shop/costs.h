@@ -39,9 +39,12 @@ enum class Cost : std::uint8_t {
   escapes,  ///< defective parts that left the shop
   tardiness,
   lost_demand,
-  energy
+  energy,
+  tool_swap,
+  tool_room,  ///< crews at tools off the machines
+  elements    ///< guide pads, dressings and other second elements
 };
-inline constexpr std::size_t cost_headings = 28;
+inline constexpr std::size_t cost_headings = 31;
 [[nodiscard]] std::string_view name_of(Cost cost);
 [[nodiscard]] std::string_view meaning_of(Cost cost);
 /// The heading of a machine minute in this state; machine minutes outside the calendar cost nothing.

@@ -1,6 +1,7 @@
 // All KPIs of a shop, names beside formulas.
 #include "sim/shop/kpis.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -28,7 +29,8 @@ constexpr std::string_view meaning_of(MachineState state) {
       "share of the time blocked by a full place downstream",
       "share of the time without a part to work on",
       "share of the time switched off for lack of work",
-      "share of the time outside the calendar"};
+      "share of the time outside the calendar",
+      "share of the time in which a sister tool comes out of the magazine"};
   return texts[static_cast<std::size_t>(state)];
 }
 
@@ -49,6 +51,10 @@ bool has_tool(const scenarios::Scenario& scenario, const scenarios::Machine& mac
       if (&scenario.machines[g] == &machine) return true;
   }
   return false;
+}
+
+bool off_line_tools(const scenarios::Scenario& scenario) {
+  return std::any_of(scenario.tools.begin(), scenario.tools.end(), scenarios::changed_off_line);
 }
 
 // Any place in the shop that can be full?
@@ -77,18 +83,20 @@ bool can_occur(const scenarios::Scenario& scenario, const scenarios::Machine& ma
       return tool || machine.attendance || (machine.setup && !machine.setup->crew.empty());
     case MachineState::waiting_tool:
       return tool;
+    case MachineState::tool_swap:
+      return tool && off_line_tools(scenario);
     case MachineState::loading:
       return machine.loading || machine.unloading;
     case MachineState::setup:
       return machine.setup.has_value();
     case MachineState::repair:
-      return !machine.failures.empty();
+      return !machine.failures.empty() || machine.limits.safety_clutch;
     case MachineState::maintenance:
       return !machine.maintenance.empty();
     case MachineState::waiting_repair:
-      return !machine.failures.empty() || !machine.maintenance.empty();
+      return !machine.failures.empty() || !machine.maintenance.empty() || machine.limits.safety_clutch;
     case MachineState::overload_reset:
-      return machine.overload_reset.has_value();
+      return machine.limits.safety_clutch.has_value();
     case MachineState::warm_up:
     case MachineState::off:
       return machine.switch_off.has_value();
@@ -113,6 +121,11 @@ bool can_occur(const scenarios::Scenario& scenario, Cost cost) {
       return any_machine([&](const scenarios::Machine& m) { return can_occur(scenario, m, state); });
   }
   switch (cost) {
+    case Cost::tool_room:
+      return off_line_tools(scenario);
+    case Cost::elements:
+      return std::any_of(scenario.tools.begin(), scenario.tools.end(),
+                         [](const scenarios::Tool& tool) { return !tool.elements.empty(); });
     case Cost::off:
       return any_machine([](const scenarios::Machine& m) { return m.switch_off.has_value(); });
     case Cost::transport:
@@ -146,6 +159,22 @@ bool has_due_dates(const scenarios::PartType& part) {
   return part.due_after || std::holds_alternative<scenarios::OrderList>(part.supply);
 }
 
+// Electric energy of a machine by its state times, kWh.
+double energy_of(const scenarios::Power& power, const StateClock& clock) {
+  double energy_kwh = 0;
+  for (std::size_t s = 0; s < machine_states; ++s) {
+    const auto state = static_cast<MachineState>(s);
+    const bool working = state == MachineState::working || state == MachineState::loading;
+    const bool off = state == MachineState::off || state == MachineState::off_shift;
+    const double kw = state == MachineState::cutting ? power.cutting_kw
+                      : working                      ? power.working_kw
+                      : off                          ? power.off_kw
+                                                     : power.standby_kw;
+    energy_kwh += kw * clock.time_min(state) / 60;
+  }
+  return energy_kwh;
+}
+
 }  // namespace
 
 std::string machine_name(const scenarios::Machine& machine, std::int64_t index) {
@@ -156,7 +185,11 @@ void Shop::settle() {
   labour_->settle(sim_.now());
   for (const auto& machine : machines_) {
     machine->clock.settle(sim_.now());
-    for (const auto& [name, tool] : machine->tools) tool->clock.settle(sim_.now());
+    for (const auto& [name, tool] : machine->tools) {
+      tool->clock.settle(sim_.now());
+      tool->stops.close();
+      tool->changes.close();
+    }
   }
 }
 
@@ -165,7 +198,7 @@ void Shop::reset_counts() {
   const double now = sim_.now();
   labour_->reset_counts(now);
   costs_.reset();
-  for (ToolCounts& tool : tools_) tool = ToolCounts();
+  reset_tool_counts();
   for (PartCounts& part : parts_) part = PartCounts();
   for (const auto& machine : machines_) {
     machine->clock.reset(now);
@@ -177,6 +210,7 @@ void Shop::reset_counts() {
     machine->failures = 0;
     machine->maintenance_jobs = 0;
     machine->overload_trips = 0;
+    machine->overload_breaks = 0;
     machine->active_periods = is_passive(machine->clock.state()) ? 0 : 1;
     for (const auto& stop : machine->stops) stop->count = 0;
   }
@@ -200,21 +234,16 @@ void Shop::reset_counts() {
 
 // What is known only at the end: machine minutes by state, presence of crews, energy.
 void Shop::book_totals() {
+  for (const auto& lots : lots_)
+    if (lots) costs_.book(Cost::inserts, lots->counts().cost);
   for (const auto& machine : machines_) {
     const scenarios::Machine& spec = *machine->group->spec;
-    double energy_kwh = 0;
     for (std::size_t s = 0; s < machine_states; ++s) {
       const auto state = static_cast<MachineState>(s);
-      const double time_min = machine->clock.time_min(state);
-      if (state != MachineState::off_shift) costs_.book(heading_of(state), time_min * spec.rate_per_min);
-      const double kw =
-          state == MachineState::cutting                                     ? spec.power.cutting_kw
-          : state == MachineState::working || state == MachineState::loading ? spec.power.working_kw
-          : state == MachineState::off || state == MachineState::off_shift   ? spec.power.off_kw
-                                                                             : spec.power.standby_kw;
-      energy_kwh += kw * time_min / 60;
+      if (state != MachineState::off_shift)
+        costs_.book(heading_of(state), machine->clock.time_min(state) * spec.rate_per_min);
     }
-    costs_.book(Cost::energy, energy_kwh * scenario_.energy_price_per_kwh);
+    costs_.book(Cost::energy, energy_of(spec.power, machine->clock) * scenario_.energy_price_per_kwh);
   }
   for (std::size_t k = 0; k < scenario_.crews.size(); ++k) {
     const scenarios::Crew& crew = scenario_.crews[k];
@@ -254,6 +283,8 @@ void Shop::shop_kpis(const KpiSink& sink) const {
   sink(KpiInfo{"parts_good", "parts", "good parts in the counted time"}, good);
   sink(KpiInfo{"parts_scrapped", "parts", "scrapped parts in the counted time"}, scrapped);
   sink(KpiInfo{"quality_ratio", "1", "good parts / parts finished (ISO 22400)"}, ratio(good, finished));
+  sink(KpiInfo{"work_in_process", "parts", "mean number of parts in the shop"},
+       work_in_process_.mean(sim_.now()));
   sink(KpiInfo{"lead_time_min", "min", "mean time from the start or arrival of a part to its end"},
        ratio(lead_time_min, finished));
   const auto quantile = [&](double p) -> std::optional<double> {
@@ -266,8 +297,6 @@ void Shop::shop_kpis(const KpiSink& sink) const {
     sink(KpiInfo{fmt::format("lead_time/{}_min", phase_names[k]), "min",
                  fmt::format("mean part of the lead time spent {}", phase_meanings[k])},
          ratio(phase_min[k], finished));
-  sink(KpiInfo{"work_in_process", "parts", "mean number of parts in the shop"},
-       work_in_process_.mean(sim_.now()));
   for (std::size_t c = 0; c < cost_headings; ++c) {
     const auto cost = static_cast<Cost>(c);
     if (can_occur(scenario_, cost))
@@ -310,6 +339,32 @@ void Shop::machine_kpis(const KpiSink& sink) const {
     put("oee", "1",
         "availability x effectiveness x quality ratio = value-adding share of the planned busy time",
         ratio(machine->planned_min * kept, busy_min));
+    double active_min = 0;
+    for (std::size_t s = 0; s < machine_states; ++s)
+      if (!is_passive(static_cast<MachineState>(s))) active_min += time_in(static_cast<MachineState>(s));
+    put("utilization", "1", "active time / time inside the calendar",
+        ratio(active_min, window_min() - time_in(MachineState::off_shift)));
+    put("active_period_min", "min",
+        "mean uninterrupted active period; the longest in the shop marks the bottleneck (Roser 2001)",
+        ratio(active_min, static_cast<double>(machine->active_periods)));
+    if (spec.setup)
+      put("setups", "1", "changeovers in the counted time", static_cast<double>(machine->setups));
+    if (spec.limits.safety_clutch) {
+      put("overload_trips", "1", "trips of the safety clutch in the counted time",
+          static_cast<double>(machine->overload_trips));
+      put("overload_breaks", "1", "breaks that the safety clutch did not prevent",
+          static_cast<double>(machine->overload_breaks));
+    }
+    const scenarios::Power& power = spec.power;
+    if (power.cutting_kw > 0 || power.working_kw > 0 || power.standby_kw > 0 || power.off_kw > 0)
+      put("energy_kwh_per_part", "kWh", "electric energy / parts made",
+          ratio(energy_of(power, machine->clock), done));
+    if (!spec.failures.empty()) {
+      const auto failures = static_cast<double>(machine->failures);
+      put("mtbf_min", "min", "production time / failures", ratio(production_min, failures));
+      put("mttr_min", "min", "repair time without waiting / failures",
+          ratio(time_in(MachineState::repair), failures));
+    }
     put("loss/breakdowns", "1",
         "share of the planned busy time: repairs, changes after a failure, waiting for them",
         ratio(breakdown_min, busy_min));
@@ -331,49 +386,16 @@ void Shop::machine_kpis(const KpiSink& sink) const {
                    std::string(meaning_of(state))},
            ratio(time_in(state), window_min()));
     }
-    double active_min = 0;
-    for (std::size_t s = 0; s < machine_states; ++s)
-      if (!is_passive(static_cast<MachineState>(s))) active_min += time_in(static_cast<MachineState>(s));
-    put("utilization", "1", "active time / time inside the calendar",
-        ratio(active_min, window_min() - time_in(MachineState::off_shift)));
-    put("active_period_min", "min",
-        "mean uninterrupted active period; the longest in the shop marks the bottleneck (Roser 2001)",
-        ratio(active_min, static_cast<double>(machine->active_periods)));
-    if (!spec.failures.empty()) {
-      const auto failures = static_cast<double>(machine->failures);
-      put("mtbf_min", "min", "production time / failures", ratio(production_min, failures));
-      put("mttr_min", "min", "repair time without waiting / failures",
-          ratio(time_in(MachineState::repair), failures));
-      for (const auto& stop : machine->stops)
-        if (stop->failure != nullptr)
-          sink(KpiInfo{fmt::format("machine/{}/failures/{}", machine->name, stop->failure->name), "1",
-                       "failures of this mode in the counted time"},
-               static_cast<double>(stop->count));
-    }
+    for (const auto& stop : machine->stops)
+      if (stop->failure != nullptr)
+        sink(KpiInfo{fmt::format("machine/{}/failures/{}", machine->name, stop->failure->name), "1",
+                     "failures of this mode in the counted time"},
+             static_cast<double>(stop->count));
     for (const auto& stop : machine->stops)
       if (stop->maintenance != nullptr)
         sink(KpiInfo{fmt::format("machine/{}/maintenance/{}", machine->name, stop->maintenance->name), "1",
                      "maintenance jobs in the counted time"},
              static_cast<double>(stop->count));
-    if (spec.setup)
-      put("setups", "1", "changeovers in the counted time", static_cast<double>(machine->setups));
-    if (spec.overload_reset)
-      put("overload_trips", "1", "trips of the overload clutch",
-          static_cast<double>(machine->overload_trips));
-    const scenarios::Power& power = spec.power;
-    if (power.cutting_kw > 0 || power.working_kw > 0 || power.standby_kw > 0 || power.off_kw > 0) {
-      double energy_kwh = 0;
-      for (std::size_t s = 0; s < machine_states; ++s) {
-        const auto state = static_cast<MachineState>(s);
-        const double kw = state == MachineState::cutting ? power.cutting_kw
-                          : state == MachineState::working || state == MachineState::loading
-                              ? power.working_kw
-                          : state == MachineState::off || state == MachineState::off_shift ? power.off_kw
-                                                                                           : power.standby_kw;
-        energy_kwh += kw * time_in(state) / 60;
-      }
-      put("energy_kwh_per_part", "kWh", "electric energy / parts made", ratio(energy_kwh, done));
-    }
   }
   for (const auto& group : groups_)
     sink(KpiInfo{fmt::format("queue/{}/mean_length", group->spec->name), "batches",
@@ -468,6 +490,7 @@ void Shop::each_kpi(const KpiSink& sink) const {
   double finished = 0;
   for (const PartCounts& part : parts_) finished += static_cast<double>(part.good + part.scrapped);
   tool_kpis(finished, sink);
+  insert_kpis(finished, sink);
   crew_kpis(sink);
   part_kpis(sink);
   store_and_transport_kpis(sink);

@@ -17,6 +17,10 @@ void CrewHold::release() noexcept {
   if (labour_ != nullptr) std::exchange(labour_, nullptr)->finish(job_);
 }
 
+std::size_t CrewHold::crew() const {
+  return labour_->jobs_[job_].crew;
+}
+
 double CrewHold::walking_min() const {
   return labour_ == nullptr ? 0 : labour_->crews_[labour_->jobs_[job_].crew].spec->walking_min;
 }

@@ -26,6 +26,8 @@ class [[nodiscard]] CrewHold {
   ~CrewHold() { release(); }
   void release() noexcept;
   [[nodiscard]] explicit operator bool() const noexcept { return labour_ != nullptr; }
+  /// Index of the crew; only while something is held.
+  [[nodiscard]] std::size_t crew() const;
   /// Minutes that the member walks to get there.
   [[nodiscard]] double walking_min() const;
 

@@ -116,8 +116,10 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
   job.enter(Phase::machine, sim_.now());
   if (trace_ != nullptr) trace_->part_step(job.part, job.step, machine.index, sim_.now());
   CrewHold attending;
-  if (attendance && attendance->during == Attendance::always)
+  if (attendance && attendance->during == Attendance::always) {
     attending = co_await call_crew(machine, group.attendance_crews, Cost::labour);
+    machine.attendant = attending.crew();
+  }
   const std::size_t family = operations_[routes_[job.part][job.step].operation].family;
   if (group.spec->setup && machine.family != family) co_await set_up(machine, family);
 
@@ -142,11 +144,12 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
     else if (leaves_defect(machine, operation))
       ++job.defects;
   }
+  machine.attendant.reset();
   attending.release();
 
   if (rejected > 0) reject(machine, job, rejected);
-  if (operation.spec->inspection && job.quantity > 0) {
-    const std::int64_t found = inspect(machine, *operation.spec->inspection, job);
+  if ((operation.spec->inspection || operation.plan.detection) && job.quantity > 0) {
+    const std::int64_t found = inspect(machine, operation, job);
     if (found > 0) reject(machine, job, found);
   }
   for (const scenarios::RouteComponent& blank : routes_[job.part][job.step].yields)
@@ -188,25 +191,67 @@ sim::Task<void> Shop::load(MachineUnit& machine, bool unloading) {
 sim::Task<void> Shop::work_on_part(MachineUnit& machine, const PlannedOperation& operation) {
   const double main_time_min =
       operation.time_law ? operation.time_law->sample(machine.duration_stream) : operation.plan.main_time_min;
-  if (operation.plan.edge && !operation.spec->tool.empty()) {
+  const bool wears = operation.plan.edge.has_value() && !operation.spec->tool.empty();
+  if (wears || !operation.element_mean_min.empty()) {
     MountedTool& tool = *machine.tools.at(operation.spec->tool);
-    co_await cut(machine, tool, main_time_min, operation.plan.edge->mean_min);
-    if (breaks(machine, operation)) {
+    co_await cut(machine, tool, operation, main_time_min);
+    if (wears && breaks(machine, operation)) {
       if (tool.scrap_stream.uniform() < tool.spec->failure_scrap_probability) machine.part_spoiled = true;
       co_await change_edge(machine, tool, true, operation.plan.edge->mean_min);
       tool.clock.enter(MachineState::idle, sim_.now());
     }
-    machine.part_wear = tool.insert.wear();
+    machine.part_wear = tool.body->largest_wear();
+    put_back(tool);
   } else {
     co_await spend(machine, MachineState::working, main_time_min);
   }
+  if (operation.plan.overload) co_await overload(machine, *operation.plan.overload);
   if (spoils(machine, operation)) machine.part_spoiled = true;
+}
+
+// Trips and breaks of the drive while one part was cut (K204): their number is Poisson, by inversion of one
+// uniform number each, and their time is added to the part.
+sim::Task<void> Shop::overload(MachineUnit& machine, const operations::Overload& expected) {
+  const Group& group = *machine.group;
+  const auto poisson = [&](double mean) {
+    double left = machine.overload_stream.uniform();
+    double term = std::exp(-mean);
+    int count = 0;
+    while (left > term && count < 1000) {
+      left -= term;
+      ++count;
+      term *= mean / count;
+    }
+    return count;
+  };
+  const int trips = poisson(expected.trips_per_part);
+  const int breaks = poisson(expected.breaks_per_part);
+  for (int k = 0; k < trips; ++k) {
+    ++machine.overload_trips;
+    CrewHold hands;
+    if (!expected.self_reset) hands = co_await call_crew(machine, group.overload_crews, Cost::overload_reset);
+    co_await spend(machine, MachineState::overload_reset, expected.reset_min);
+  }
+  for (int k = 0; k < breaks; ++k) {
+    ++machine.overload_breaks;
+    if (!group.spec->overload) continue;
+    costs_.book(Cost::damage, group.spec->overload->damage);
+    if (machine.overload_stream.uniform() < group.spec->overload->scrap_probability)
+      machine.part_spoiled = true;
+    const CrewHold mender =
+        co_await call_crew(machine, group.overload_crews, Cost::repair, 0, MachineState::waiting_repair);
+    const double repair_min = group.break_repair->sample(machine.overload_stream);
+    co_await spend(machine, MachineState::repair, repair_min);
+  }
 }
 
 sim::Task<CrewHold> Shop::call_crew(MachineUnit& machine, const std::vector<std::size_t>& crews, Cost heading,
                                     std::int64_t priority, MachineState waiting, MountedTool* tool) {
   CrewHold hold;
   if (crews.empty()) co_return hold;
+  // Whoever stays with the machine does what is to be done, when it is their trade.
+  if (machine.attendant && std::find(crews.begin(), crews.end(), *machine.attendant) != crews.end())
+    co_return hold;
   enter(machine, waiting, tool);
   const bool tends = heading == Cost::labour;
   hold = co_await labour_->call(crews, priority, heading, tends ? Labour::Hands::one : Labour::Hands::all);

@@ -27,7 +27,12 @@ bool Shop::leaves_defect(MachineUnit& machine, const PlannedOperation& operation
   return chance > 0 && machine.defect_stream.uniform() < chance;
 }
 
-std::int64_t Shop::inspect(MachineUnit& machine, const scenarios::Inspection& inspection, Job& job) {
+std::int64_t Shop::inspect(MachineUnit& machine, const PlannedOperation& operation, Job& job) {
+  scenarios::Inspection inspection = operation.spec->inspection.value_or(scenarios::Inspection());
+  if (operation.plan.detection) {  // a gauge or an inspection by its process model (K307, K205)
+    inspection.sensitivity = operation.plan.detection->sensitivity;
+    inspection.specificity = operation.plan.detection->specificity;
+  }
   std::int64_t rejected = 0;
   std::int64_t rejected_defects = 0;
   for (std::int64_t k = 0; k < job.quantity; ++k) {

@@ -25,12 +25,14 @@
 #include "sim/kernel/store.h"
 #include "sim/kernel/tally.h"
 #include "sim/shop/costs.h"
-#include "sim/shop/edge.h"
+#include "sim/shop/crib.h"
 #include "sim/shop/job.h"
 #include "sim/shop/kpis.h"
 #include "sim/shop/labour.h"
+#include "sim/shop/lots.h"
 #include "sim/shop/state_clock.h"
 #include "sim/shop/strategy.h"
+#include "sim/shop/tool_body.h"
 
 namespace verstat::shop {
 
@@ -38,11 +40,24 @@ class Trace;
 
 /// Everything counted since the end of the warm-up about one kind of tool.
 struct ToolCounts {
-  std::uint64_t planned_changes = 0;
-  std::uint64_t failures = 0;
+  std::uint64_t planned_changes = 0;  ///< of the tool, whatever the number of teeth
+  std::uint64_t failures = 0;         ///< changes after a failure
+  std::uint64_t teeth_failed = 0;     ///< in the cut
+  std::uint64_t joined_changes = 0;   ///< planned changes made at another stop
+  std::uint64_t inspections = 0;
+  std::uint64_t worn_found = 0;
+  std::uint64_t false_alarms = 0;
+  std::uint64_t waits = 0;  ///< for a tool or for inserts
+  std::uint64_t regrinds = 0;
   std::uint64_t inserts_fitted = 0;
-  std::uint64_t edges_used = 0;  ///< edges taken out
-  double edge_minutes_used = 0;  ///< cutting minutes of the edges taken out
+  std::uint64_t edges_used = 0;      ///< edges taken out
+  double edge_minutes_used = 0;      ///< cutting minutes of the edges taken out
+  std::uint64_t edges_unspent = 0;   ///< of those, taken out before they failed
+  double life_left = 0;              ///< sum over them of the share of life left
+  std::int64_t edges_at_start = 0;   ///< in tools at the start of the counted time
+  std::int64_t edges_fitted = 0;     ///< usable ones, with new inserts
+  std::int64_t edges_reground = 0;   ///< that regrinding brought back
+  std::int64_t edges_discarded = 0;  ///< never used: unusable ones, and those a failure broke
 };
 
 /// Everything counted about one part type. Parts, not batches.
@@ -78,6 +93,8 @@ class Shop {
   friend std::vector<KpiInfo> kpi_infos(const scenarios::Scenario& scenario);
   struct Group;
   struct MountedTool;
+  struct ToolPool;
+  struct ElementUnit;
   struct MachineUnit;
   struct Stop;
   struct Spares;
@@ -90,6 +107,8 @@ class Shop {
     std::size_t group;  // of the machines that do it
     operations::CutPlan plan;
     std::optional<sim::Distribution> time_law;
+    /// Mean lives, min, of the elements that its tool has a service for; infinite: not worn.
+    std::vector<double> element_mean_min;
   };
   /// An operation with its plan on every group that can do it.
   struct OperationUnit {
@@ -107,6 +126,7 @@ class Shop {
   // build.cpp
   void build_operations();
   void build_machines();
+  void build_tools();  // tool_setup.cpp
   void build_flow();
   void start();
 
@@ -117,6 +137,7 @@ class Shop {
   [[nodiscard]] sim::Task<void> set_up(MachineUnit& machine, std::size_t family);
   [[nodiscard]] sim::Task<void> work_on_part(MachineUnit& machine, const PlannedOperation& operation);
   [[nodiscard]] sim::Task<void> load(MachineUnit& machine, bool unloading);
+  [[nodiscard]] sim::Task<void> overload(MachineUnit& machine, const operations::Overload& expected);
   [[nodiscard]] sim::Task<void> open_shift(MachineUnit& machine);
   /// The machine spends `time_min` in `state`, and so does the tool that works (null: none). The only place
   /// where time passes for a machine that has work: what stretches it (failures, ends of shifts) is dealt
@@ -142,10 +163,44 @@ class Shop {
   [[nodiscard]] sim::Task<void> deliver_spares(std::size_t spare);
 
   // tooling.cpp: tools at work
-  [[nodiscard]] sim::Task<void> cut(MachineUnit& machine, MountedTool& tool, double main_time_min,
-                                    double mean_life_min);
+  /// Cuts one part: `main_time_min` at full feed.
+  [[nodiscard]] sim::Task<void> cut(MachineUnit& machine, MountedTool& tool,
+                                    const PlannedOperation& operation, double main_time_min);
+  /// The edges of the tool are changed, on the machine or by a sister tool. A failure that no tooth has had
+  /// is a break of the whole tool.
   [[nodiscard]] sim::Task<void> change_edge(MachineUnit& machine, MountedTool& tool, bool after_failure,
                                             double mean_life_min);
+  /// The machine has stopped for something else before; `present`: crews of which a member is there (null:
+  /// nobody).
+  struct Stopped {
+    bool before = false;
+    const std::vector<std::size_t>* present = nullptr;
+  };
+  [[nodiscard]] sim::Task<void> change_on_machine(MachineUnit& machine, MountedTool& tool, bool after_failure,
+                                                  double mean_life_min, Stopped stopped);
+  /// Edges whose strategy uses other stops are changed while the machine stands; `in_hand` (null: none) is
+  /// not asked.
+  [[nodiscard]] sim::Task<void> join_stop(MachineUnit& machine, const MountedTool* in_hand,
+                                          const std::vector<std::size_t>* present);
+  [[nodiscard]] sim::Task<void> inspect_edge(MachineUnit& machine, MountedTool& tool, double mean_life_min);
+  [[nodiscard]] sim::Task<void> change_element(MachineUnit& machine, MountedTool& tool, ElementUnit& element);
+  [[nodiscard]] sim::Task<void> wait_for_inserts(MachineUnit& machine, MountedTool& tool,
+                                                 std::int64_t inserts);
+  /// Books a change; `renew_teeth` makes it and returns `time_min` plus the time at the teeth.
+  void count_change(const MountedTool& tool, bool after_failure);
+  [[nodiscard]] double renew_teeth(MountedTool& tool, ToolBody& body, bool after_failure, bool reground,
+                                   double mean_life_min, double time_min);
+
+  // tool_room.cpp: copies of tools
+  [[nodiscard]] sim::Task<void> swap_tool(MachineUnit& machine, MountedTool& tool, bool after_failure,
+                                          double mean_life_min);
+  /// A copy comes into the machine; waits until one is ready.
+  [[nodiscard]] sim::Task<void> fetch_tool(MachineUnit& machine, MountedTool& tool);
+  /// A shared copy is free for other machines.
+  static void put_back(MountedTool& tool);
+  /// New edges, regrinding and setting off the machine; then the copy is ready again.
+  [[nodiscard]] sim::Task<void> tool_room(MountedTool& tool, ToolBody& body, bool after_failure,
+                                          double mean_life_min);
 
   // quality.cpp
   /// Whether the tool breaks in this cut, and whether the part is spoiled by the process, as the plan says.
@@ -153,7 +208,7 @@ class Shop {
   [[nodiscard]] static bool spoils(MachineUnit& machine, const PlannedOperation& operation);
   [[nodiscard]] static bool leaves_defect(MachineUnit& machine, const PlannedOperation& operation);
   /// Number of parts of the batch that an inspection rejects; their defects leave the batch with them.
-  [[nodiscard]] static std::int64_t inspect(MachineUnit& machine, const scenarios::Inspection& inspection,
+  [[nodiscard]] static std::int64_t inspect(MachineUnit& machine, const PlannedOperation& operation,
                                             Job& job);
   /// Takes `quantity` rejected parts out of the batch: to rework, or to scrap.
   void reject(MachineUnit& machine, Job& job, std::int64_t quantity);
@@ -195,6 +250,12 @@ class Shop {
   void part_kpis(const KpiSink& sink) const;
   /// `finished` parts in the counted time, good or scrapped.
   void tool_kpis(double finished, const KpiSink& sink) const;
+  void insert_kpis(double finished, const KpiSink& sink) const;
+  void reset_tool_counts();
+  /// Adds laws of edges, inserts and copies that do not hold.
+  void audit_tools(std::vector<std::string>& broken) const;
+  /// Edges in all copies of a tool.
+  [[nodiscard]] std::int64_t edges_in_tools(std::size_t tool) const;
   void crew_kpis(const KpiSink& sink) const;
   void store_and_transport_kpis(const KpiSink& sink) const;
   [[nodiscard]] double window_min() const {
@@ -212,6 +273,10 @@ class Shop {
   std::vector<OperationUnit> operations_;  // one per operation of the scenario
   std::vector<std::string> families_;
   std::vector<std::unique_ptr<Group>> groups_;
+  std::vector<scenarios::Insert> inserts_;          // as fitted; behind them one for tools without
+  std::vector<std::unique_ptr<LotSource>> lots_;    // one per insert; null: one lot
+  std::vector<std::unique_ptr<InsertCrib>> cribs_;  // one per insert; null: always enough
+  std::vector<std::unique_ptr<ToolPool>> pools_;    // of copies
   std::vector<std::unique_ptr<MachineUnit>> machines_;
   std::vector<std::unique_ptr<Spares>> spares_;
   std::vector<std::unique_ptr<StoreUnit>> stores_;

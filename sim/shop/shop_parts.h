@@ -8,6 +8,7 @@
 #include "sim/kernel/arrivals.h"
 #include "sim/shop/durations.h"
 #include "sim/shop/shop.h"
+#include "sim/shop/unattended.h"
 
 namespace verstat::shop {
 
@@ -25,7 +26,8 @@ struct Shop::Group {
   std::optional<scenarios::WorkingTime> working_time;
   std::optional<sim::Distribution> loading_time;
   std::optional<sim::Distribution> unloading_time;
-  std::optional<sim::Distribution> reset_time;
+  std::optional<sim::Distribution> break_repair;
+  std::vector<std::size_t> overload_crews;
   std::optional<sim::Distribution> warm_up_time;
   struct SetupLaw {
     std::optional<std::size_t> from;  // none: any
@@ -38,24 +40,69 @@ struct Shop::Group {
   sim::TimeWeighted queue_length;
 };
 
-// A tool on a machine: its own insert, its own clock.
+// Copies of a tool that take each other's place; what is not in a machine or in the tool room is ready.
+struct Shop::ToolPool {
+  explicit ToolPool(sim::Simulation& sim) : ready(sim) {}
+  std::vector<std::unique_ptr<ToolBody>> copies;
+  std::size_t tool = 0;  // in the scenario's tools
+  std::size_t in_tool_room = 0;
+  sim::Store<ToolBody*> ready;
+};
+
+// A second element that operations with this tool wear.
+struct Shop::ElementUnit {
+  ElementUnit(const scenarios::ElementService& service, const operations::ElementLife& element,
+              std::uint64_t seed, const std::string& entity, std::uint64_t replication);
+  void renew();
+  const scenarios::ElementService* spec;
+  models::LifeLaw unit_life;
+  double limit;  // planned change, mean lives; infinite: none
+  double life = 0;
+  double wear = 0;
+  double use_min = 0;  // cutting since it was changed
+  sim::Distribution change_time;
+  sim::RandomStream life_stream;
+  sim::RandomStream change_stream;
+  std::uint64_t changes = 0;  // since the warm-up, and their use
+  double use_min_sum = 0;
+};
+
+// A tool on a machine: its own clock, and the copy that works.
 struct Shop::MountedTool {
-  MountedTool(const scenarios::Scenario& scenario, const scenarios::Tool& spec, std::size_t index,
-              std::vector<std::size_t> crews, const scenarios::WorkingTime* working_time,
-              const std::string& entity, std::uint64_t replication);
+  MountedTool(const scenarios::Scenario& scenario, std::size_t index, const scenarios::Insert& insert,
+              const MachineUnit& machine, std::uint64_t replication);
+  [[nodiscard]] ToolView view(double main_time_min) const;
   const scenarios::Tool* spec;
   const scenarios::Insert* insert_spec;
-  std::size_t index;  // in the scenario's tools
+  std::size_t index;    // in the scenario's tools
+  std::size_t machine;  // among all machines
   std::vector<std::size_t> crews;
-  FittedInsert insert;
+  std::vector<std::size_t> failure_crews;
+  std::vector<std::size_t> presetting_crews;
+  InsertCrib* crib = nullptr;      // null: there are always inserts
+  std::unique_ptr<ToolBody> own;   // when edges are changed on the machine
+  ToolPool* pool = nullptr;        // when copies are
+  ToolBody* body = nullptr;        // in the machine
+  const ToolBody* last = nullptr;  // that was in the machine before
   std::unique_ptr<Strategy> strategy;
-  double wear_since_plan = 0;
+  double sign_share = 1;     // of its life from which an edge shows its wear
+  double mean_life_min = 0;  // of an edge in the operation before
+  std::vector<ElementUnit> elements;
   StateClock clock;
+  IntervalCount stops;    // of the machine that somebody has to come for, or that wait for a tool
+  IntervalCount changes;  // of the tool
   sim::Distribution index_time;
   sim::Distribution replace_time;
+  sim::Distribution swap_time;
+  std::optional<sim::Distribution> presetting_time;
+  std::optional<sim::Distribution> regrind_time;
   sim::RandomStream index_stream;
   sim::RandomStream replace_stream;
   sim::RandomStream scrap_stream;
+  sim::RandomStream swap_stream;
+  sim::RandomStream inspection_stream;
+  sim::RandomStream presetting_stream;
+  sim::RandomStream regrind_stream;
 };
 
 // A failure mode or a maintenance job of one machine.
@@ -107,11 +154,13 @@ struct Shop::MachineUnit {
   StateClock clock;
   sim::Store<Job*> inbox;                                     // a batch handed over to an idle machine
   std::map<std::string, std::unique_ptr<MountedTool>> tools;  // by name
+  bool has_joiners = false;                                   // a tool whose strategy uses other stops
   std::vector<std::unique_ptr<Stop>> stops;
-  Job* job = nullptr;           // in work
-  bool part_spoiled = false;    // the part in work
-  double part_wear = 0;         // of the edge after the part in work, in mean lives
-  bool standing_still = false;  // a stop is being dealt with
+  Job* job = nullptr;                    // in work
+  std::optional<std::size_t> attendant;  // crew of whoever stays with the machine
+  bool part_spoiled = false;             // the part in work
+  double part_wear = 0;                  // of the edge after the part in work, in mean lives
+  bool standing_still = false;           // a stop is being dealt with
   std::optional<std::size_t> family;
   // Readings of the usage clocks.
   double operating_min = 0;
@@ -125,6 +174,7 @@ struct Shop::MachineUnit {
   std::uint64_t failures = 0;
   std::uint64_t maintenance_jobs = 0;
   std::uint64_t overload_trips = 0;
+  std::uint64_t overload_breaks = 0;
   std::uint64_t active_periods = 0;
   sim::RandomStream duration_stream;
   sim::RandomStream breakage_stream;

@@ -27,16 +27,17 @@ enum class MachineState : std::uint8_t {
   blocked,         ///< the batch cannot leave: the next place is full
   idle,            ///< no part to work on
   off,             ///< switched off for lack of work
-  off_shift        ///< outside its calendar
+  off_shift,       ///< outside its calendar
+  tool_swap        ///< a sister tool comes out of the magazine: nobody is needed
 };
-inline constexpr std::size_t machine_states = 17;
+inline constexpr std::size_t machine_states = 18;
 [[nodiscard]] constexpr std::string_view name_of(MachineState state) {
   constexpr std::array<std::string_view, machine_states> names = {
       "cutting",        "working",        "loading",      "setup",
       "planned_change", "failure_change", "waiting_crew", "waiting_tool",
       "repair",         "waiting_repair", "maintenance",  "overload_reset",
       "warm_up",        "blocked",        "idle",         "off",
-      "off_shift"};
+      "off_shift",      "tool_swap"};
   return names[static_cast<std::size_t>(state)];
 }
 /// A machine in a passive state waits for others. The rest is activity, planned or not.

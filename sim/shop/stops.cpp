@@ -85,6 +85,10 @@ sim::Task<void> Shop::deal_with_stops(MachineUnit& machine, StopEffect context, 
       if (reading - stop->renewed >= stop->maintenance->joins_from * stop->maintenance->interval)
         co_await stand_still(machine, *stop, tool);
     }
+    if (machine.has_joiners) {
+      if (tool != nullptr) tool->clock.enter(MachineState::idle, sim_.now());
+      co_await join_stop(machine, tool, nullptr);
+    }
   }
   machine.standing_still = false;
 }
