@@ -299,6 +299,14 @@ bool Listing::has_kpi(const std::string& name) const {
   });
 }
 
+bool Listing::has_study(std::int64_t id) const {
+  return naming(file_, [&] {
+    SQLite::Statement q(*db_, "SELECT 1 FROM study WHERE id = ?");
+    q.bind(1, id);
+    return q.executeStep();
+  });
+}
+
 std::string Listing::trial_columns() const {
   return std::string("number, stage, variables, objective, feasible, ") +
          (with_replications_ ? "half_width, replications" : "NULL, 0");

@@ -72,6 +72,7 @@ class Listing {
   [[nodiscard]] std::map<std::int64_t, std::string> currencies(const std::vector<std::int64_t>& runs) const;
   /// True when some run has a KPI of this name.
   [[nodiscard]] bool has_kpi(const std::string& name) const;
+  [[nodiscard]] bool has_study(std::int64_t id) const;
   [[nodiscard]] ListPage<TrialRow> trials(std::int64_t study, const TrialQuery& query) const;
   /// At most `most` trials, by number: the best half of that number and an even choice of all.
   [[nodiscard]] ListPage<TrialRow> sample(std::int64_t study, std::int64_t most, bool highest = false) const;

@@ -143,6 +143,8 @@ TEST_CASE(
   writer.begin_study(a_study("Second"));
   CHECK(Listing(file.path).studies({.words = {"second"}}).rows.at(0).id == 2);
   CHECK(Listing(file.path).studies({.tag = "x"}).total == 0);
+  CHECK(Listing(file.path).has_study(2));
+  CHECK_FALSE(Listing(file.path).has_study(3));
   const Notes notes(file.path);
   CHECK(notes.tags().empty());
   notes.set(Subject::study, 1, {.note = "look at this", .tags = {"x"}});

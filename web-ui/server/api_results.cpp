@@ -193,9 +193,8 @@ Response list_trials(const Call& call) {
                                 .after = whole(call.target, "after", 0, INT64_MAX, 0),
                                 .limit = whole(call.target, "limit", 1, largest_trial_page, largest_page),
                                 .offset = whole(call.target, "offset", 0, INT64_MAX, 0)};
-  if (!store::Reader(call.database).study(id, false))
-    throw Refused{404, fmt::format("there is no study {}", id)};
   const store::Listing listing(call.database);
+  if (!listing.has_study(id)) throw Refused{404, fmt::format("there is no study {}", id)};
   const auto page = sample > 0 ? listing.sample(id, sample, highest) : listing.trials(id, query);
   ordered_json list = ordered_json::array();
   for (const store::TrialRow& t : page.rows) {

@@ -96,7 +96,7 @@ function pointSection(study: Study): HTMLElement {
   );
 }
 
-const mostDrawn = 4000;
+const mostDrawn = 2000;
 
 /** Trials as far as they are known here; the charts read them again when more have come. */
 interface Trials {
