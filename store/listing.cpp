@@ -349,10 +349,13 @@ ListPage<TrialRow> Listing::sample(std::int64_t study, std::int64_t most, bool h
     const std::int64_t rest = most - cheap;
     const std::int64_t step = (total + rest - 1) / rest;
     SQLite::Statement q(
-        *db_, fmt::format("SELECT {} FROM trial WHERE study_id = ?1 AND (number % ?2 = 0 OR number IN "
-                          "(SELECT number FROM trial WHERE study_id = ?1 AND objective IS NOT NULL AND "
-                          "feasible = 1 ORDER BY objective {}, number LIMIT ?3)) ORDER BY number",
-                          trial_columns(), highest ? "DESC" : "ASC"));
+        // The numbers first, then their rows by key: a test of every row against the best ones takes longer.
+        *db_,
+        fmt::format("SELECT {} FROM trial WHERE study_id = ?1 AND number IN ("
+                    "SELECT number FROM trial WHERE study_id = ?1 AND number % ?2 = 0 UNION ALL "
+                    "SELECT number FROM (SELECT number FROM trial WHERE study_id = ?1 AND objective IS "
+                    "NOT NULL AND feasible = 1 ORDER BY objective {}, number LIMIT ?3)) ORDER BY number",
+                    trial_columns(), highest ? "DESC" : "ASC"));
     q.bind(1, study);
     q.bind(2, step);
     q.bind(3, cheap);
