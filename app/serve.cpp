@@ -8,6 +8,7 @@
 #include "app/version.h"
 #include "store/database.h"
 #include "web-ui/server/http.h"
+#include "web-ui/server/jobs.h"
 #include "web-ui/server/site.h"
 
 namespace verstat::app {
@@ -15,6 +16,7 @@ namespace verstat::app {
 namespace {
 
 constexpr std::size_t shortest_token = 16;
+constexpr std::uint64_t largest_body_bytes = 4U << 20U;  // a scenario of a large plant
 
 std::uint16_t port_of(const std::string& text) {
   std::uint16_t port = 0;
@@ -37,7 +39,7 @@ void check_token(const std::string& token) {
 }
 
 void serve(const std::string& db, const std::string& host_text, const std::string& port_text,
-           const std::string& token) {
+           const std::string& token, bool read_only, const std::vector<std::string>& study_flags) {
   const std::string host = host_text == "localhost" ? "127.0.0.1" : host_text;
   const std::uint16_t port = port_of(port_text);
   bool loopback = false;
@@ -53,9 +55,11 @@ void serve(const std::string& db, const std::string& host_text, const std::strin
   static_cast<void>(
       store::Reader(db).run_count());  // an unreadable database is said now, not on the first page
 
-  const web::Site site(web::Api(db, VERSTAT_VERSION), web::pages());
+  // Jobs run this very program; the link leads to it also when the file has been replaced since.
+  auto jobs = read_only ? nullptr : std::make_shared<web::Jobs>("/proc/self/exe");
+  const web::Site site(web::Api(db, VERSTAT_VERSION, jobs, study_flags), web::pages());
   web::Guard guard;  // filled in once the port is known, before the first request
-  web::HttpServer server({.address = host, .port = port},
+  web::HttpServer server({.address = host, .port = port, .body_bytes = largest_body_bytes},
                          [&](const web::Request& request) { return site.answer(guard, request); });
   guard = web::guard_for(host, loopback, server.port(), token);
 
@@ -63,7 +67,7 @@ void serve(const std::string& db, const std::string& host_text, const std::strin
   fmt::print("http://{}{}{}:{}/{}\n", v6 ? "[" : "", host, v6 ? "]" : "", server.port(),
              token.empty() ? "" : "?token=" + token);
   std::fflush(stdout);
-  fmt::print(stderr, "serving {}{}; Ctrl-C ends it\n", db,
+  fmt::print(stderr, "serving {}{}{}; Ctrl-C ends it\n", db, read_only ? " read-only" : "",
              web::pages().empty() ? " without pages (built with VERSTAT_WEB=OFF), the API alone" : "");
   server.run(true);
 }
@@ -75,6 +79,7 @@ void add_serve(CLI::App& program) {
   auto host = std::make_shared<std::string>("127.0.0.1");
   auto port = std::make_shared<std::string>("8080");
   auto token = std::make_shared<std::string>();
+  auto read_only = std::make_shared<bool>(false);
   CLI::App* command = program.add_subcommand("serve", "Show runs, studies and models in the browser");
   add_db(*command, *options);
   command->add_option("--host", *host, "address to listen on; others than this machine's own need --token")
@@ -84,8 +89,15 @@ void add_serve(CLI::App& program) {
       ->add_option("--token", *token,
                    "secret that every request must bring (or VERSTAT_TOKEN, which process lists do not show)")
       ->envname("VERSTAT_TOKEN");
+  command->add_flag("--read-only", *read_only, "start and store nothing: no jobs, no notes");
   command->footer("Example:\n  verstat serve --db verstat.db --port 8080");
-  command->callback([=] { serve(options->db, *host, *port, *token); });
+  command->callback([=, &program] {
+    // Studies that can say how far they are in a form for programs are asked to.
+    std::vector<std::string> study_flags;
+    if (program.get_subcommand("optimize")->get_option_no_throw("--progress") != nullptr)
+      study_flags = {"--progress", "json"};
+    serve(options->db, *host, *port, *token, *read_only, study_flags);
+  });
 }
 
 }  // namespace verstat::app

@@ -449,7 +449,7 @@ std::int64_t Reader::study_count() const {
   return naming(file_, [&] { return db_->execAndGet("SELECT count(*) FROM study").getInt64(); });
 }
 
-std::optional<Study> Reader::study(std::int64_t id) const {
+std::optional<Study> Reader::study(std::int64_t id, bool trials) const {
   return naming(file_, [&]() -> std::optional<Study> {
     SQLite::Transaction snapshot(*db_);
     Study study;
@@ -481,7 +481,7 @@ std::optional<Study> Reader::study(std::int64_t id) const {
                                    q.getColumn(4).getDouble(), q.getColumn(5).getString(),
                                    q.getColumn(6).getString()});
     }
-    {
+    if (trials) {
       SQLite::Statement q(
           *db_,
           "SELECT number, stage, variables, objective, feasible, half_width, first_replication, "

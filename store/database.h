@@ -78,7 +78,8 @@ class Reader {
   [[nodiscard]] std::optional<Run> run(std::int64_t id, bool replications = true) const;
   [[nodiscard]] std::vector<StudyHeader> studies(std::int64_t limit = 100, std::int64_t offset = 0) const;
   [[nodiscard]] std::int64_t study_count() const;
-  [[nodiscard]] std::optional<Study> study(std::int64_t id) const;
+  /// With `trials` false the list of trials is left out; the header counts them all the same.
+  [[nodiscard]] std::optional<Study> study(std::int64_t id, bool trials = true) const;
 
  private:
   std::filesystem::path file_;

@@ -1,218 +1,26 @@
-// The server over a real socket. The client is written with plain sockets, so that it can misbehave.
+// The server over a real socket.
 
+#include <algorithm>
+#include <cctype>
 #include <chrono>
-#include <filesystem>
 #include <optional>
 #include <regex>
+#include <set>
 #include <thread>
 
-#include <arpa/inet.h>
 #include <catch2/catch.hpp>
-#include <fmt/format.h>
-#include <netinet/in.h>
-#include <nlohmann/json.hpp>
-#include <sys/socket.h>
-#include <unistd.h>
 
 #include "models/catalogue/catalogue.h"
 #include "scenarios/function_json.h"
 #include "scenarios/model_json.h"
-#include "store/database.h"
 #include "store/result_json.h"
-#include "web-ui/server/http.h"
+#include "tests/web/serving.h"
 #include "web-ui/server/openapi.h"
-#include "web-ui/server/site.h"
 
 using namespace verstat;
+using namespace verstat::web_test;
 using namespace std::chrono_literals;
 using nlohmann::json;
-
-namespace {
-
-class Socket {
- public:
-  explicit Socket(std::uint16_t port) : descriptor_(::socket(AF_INET, SOCK_STREAM, 0)) {
-    sockaddr_in address{};
-    address.sin_family = AF_INET;
-    address.sin_port = htons(port);
-    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    // A test that waits for ever tells nothing.
-    const timeval patience{10, 0};
-    ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
-    ::setsockopt(descriptor_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
-    connected_ = ::connect(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
-  }
-  Socket(const Socket&) = delete;
-  Socket& operator=(const Socket&) = delete;
-  ~Socket() { ::close(descriptor_); }
-
-  [[nodiscard]] bool connected() const { return connected_; }
-  /// False when the peer has hung up.
-  bool send(std::string_view data) const {
-    while (!data.empty()) {
-      const auto sent = ::send(descriptor_, data.data(), data.size(), MSG_NOSIGNAL);
-      if (sent <= 0) return false;
-      data.remove_prefix(static_cast<std::size_t>(sent));
-    }
-    return true;
-  }
-  /// Up to the end of the connection.
-  [[nodiscard]] std::string read_all() const {
-    std::string all;
-    while (read_some(all)) continue;
-    return all;
-  }
-  /// One answer of a connection that stays open.
-  [[nodiscard]] std::string read_answer() const {
-    std::string all;
-    static const std::regex length("Content-Length: (\\d+)");
-    for (;;) {
-      const auto end = all.find("\r\n\r\n");
-      std::smatch match;
-      if (end != std::string::npos && std::regex_search(all, match, length) &&
-          all.size() >= end + 4 + std::stoul(match[1]))
-        return all;
-      if (!read_some(all)) return all;
-    }
-  }
-
- private:
-  bool read_some(std::string& all) const {
-    char piece[8192];
-    const auto size = ::recv(descriptor_, piece, sizeof piece, 0);
-    if (size > 0) all.append(piece, static_cast<std::size_t>(size));
-    return size > 0;
-  }
-  int descriptor_;
-  bool connected_ = false;
-};
-
-struct Answer {
-  int status = 0;
-  std::map<std::string, std::string> headers;
-  std::string body;
-  [[nodiscard]] json parsed() const { return json::parse(body); }
-  [[nodiscard]] std::string message() const { return parsed().at("error").at("message"); }
-};
-
-Answer parse_answer(const std::string& text) {
-  Answer answer;
-  const auto end = text.find("\r\n\r\n");
-  if (text.size() < 12 || end == std::string::npos) return answer;
-  answer.status = std::stoi(text.substr(9, 3));
-  std::size_t at = text.find("\r\n") + 2;
-  while (at < end) {
-    const auto stop = text.find("\r\n", at);
-    const auto colon = text.find(": ", at);
-    answer.headers[text.substr(at, colon - at)] = text.substr(colon + 2, stop - colon - 2);
-    at = stop + 2;
-  }
-  answer.body = text.substr(end + 4);
-  return answer;
-}
-
-store::Run example_run(int number) {
-  store::Run run;
-  run.header = {.label = fmt::format("run <{}> \"quoted\"", number),
-                .scenario_name = "Cell",
-                .changes = R"([{"pointer": "/seed", "value": 0.1}])",
-                .seed = 18446744073709551615U,
-                .replications = 2,
-                .horizon_min = 1000,
-                .warmup_min = 100,
-                .elapsed_s = 0.1,
-                .provenance = {"0.1", "test", "2026-01-02T03:04:05Z"}};
-  run.scenario_text = "{}";
-  run.currency = "UAH";
-  run.kpis.push_back({.kpi = {"cost_per_part", "UAH", "cost"},
-                      .mean = 0.1 + 0.2 * number,
-                      .half_width = 1.0 / 3,
-                      .samples = 2});
-  run.kpis.push_back({.kpi = {"throughput_per_h", "parts/h", "rate"},
-                      .mean = std::nullopt,
-                      .half_width = std::nullopt,
-                      .samples = 0});
-  run.values = {{1.5, std::nullopt}, {2.5, std::nullopt}};
-  return run;
-}
-
-constexpr int run_count = 7;
-
-constexpr web::Asset test_pages[] = {
-    {"/index.html", "text/html; charset=utf-8", "aaaa", false, "<p>plain</p>", "gzipped"},
-    {"/assets/x-1.js", "text/javascript; charset=utf-8", "bbbb", true, "1;", ""}};
-
-/// A database of runs and one study, and a server on a free port, ended with the test.
-class Serving {
- public:
-  explicit Serving(web::HttpOptions options = {}, const std::string& token = "")
-      : folder_(std::filesystem::temp_directory_path() / fmt::format("verstat-web-{}", ::getpid())) {
-    std::filesystem::create_directories(folder_);
-    std::filesystem::remove(file());
-    {
-      store::Writer writer(file());
-      for (int k = 1; k <= run_count; ++k) writer.add_run(example_run(k));
-      store::Study study;
-      study.header = {.name = "Study",
-                      .scenario_name = "Cell",
-                      .status = "running",
-                      .objective = "cost_per_part",
-                      .seed = 7,
-                      .provenance = {"0.1", "test", "2026-01-02T03:04:05Z"}};
-      study.changes = "[]";
-      study.study_text = "{}";
-      study.scenario_text = "{}";
-      study.variables = {{"speed", "/v", "m/min", 20, 120}};
-      const auto id = writer.begin_study(study);
-      writer.add_trials(id, {{.number = 1, .stage = "analytic", .values = {1.0 / 3}, .objective = 125.4}});
-      writer.finish_study(id, 1, 2, R"({"words": "saves"})", "finished");
-    }
-    options.port = 0;
-    site_.emplace(web::Api(file(), "9.9"), test_pages);
-    server_.emplace(options, [this](const web::Request& request) { return site_->answer(guard_, request); });
-    guard_ = web::guard_for("127.0.0.1", true, server_->port(), token);
-    thread_ = std::jthread([this] { server_->run(false); });
-  }
-  Serving(const Serving&) = delete;
-  Serving& operator=(const Serving&) = delete;
-  ~Serving() {
-    server_->stop();
-    thread_.join();
-    std::error_code ignored;
-    std::filesystem::remove_all(folder_, ignored);
-  }
-
-  [[nodiscard]] std::filesystem::path file() const { return folder_ / "results.db"; }
-  [[nodiscard]] std::uint16_t port() const { return server_->port(); }
-  [[nodiscard]] std::string host() const { return fmt::format("127.0.0.1:{}", port()); }
-
-  [[nodiscard]] Answer raw(const std::string& text) const {
-    const Socket socket(port());
-    socket.send(text);
-    return parse_answer(socket.read_all());
-  }
-  [[nodiscard]] Answer get(const std::string& target, const std::string& more = "",
-                           const std::string& method = "GET") const {
-    return raw(fmt::format("{} {} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n{}\r\n", method, target,
-                           host(), more));
-  }
-  [[nodiscard]] Answer post(
-      const std::string& target, const std::string& body,
-      const std::string& more = "X-Verstat: 1\r\nContent-Type: application/json\r\n") const {
-    return raw(
-        fmt::format("POST {} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n{}Content-Length: {}\r\n\r\n{}",
-                    target, host(), more, body.size(), body));
-  }
-
- private:
-  std::filesystem::path folder_;
-  web::Guard guard_;
-  std::optional<web::Site> site_;
-  std::optional<web::HttpServer> server_;
-  std::jthread thread_;
-};
-
-}  // namespace
 
 TEST_CASE("runs and studies are answered exactly as the command line prints them") {
   const Serving serving;
@@ -365,24 +173,46 @@ TEST_CASE("tables can be had as CSV") {
 }
 
 TEST_CASE("the description names every address, and every address it names answers") {
-  const Serving serving;
+  const Serving serving({}, "", "echo '{\"id\": 1}'");
   const json description = serving.get("/api/v1/openapi.json").parsed();
   CHECK(description["openapi"] == "3.0.3");
-  for (const auto& [path, methods] : description["paths"].items()) {
-    CAPTURE(path);
-    if (!methods.contains("get")) continue;
-    std::string target = "/api/v1" + path;
-    for (const auto& [name, value] : {std::pair{"{id}", "1"}, std::pair{"{key}", "K117.part_cost"}})
-      if (const auto at = target.find(name); at != std::string::npos)
-        target.replace(at, std::string(name).size(), value);
-    const Answer answer = serving.get(target);
-    CHECK(answer.status == 200);
-    // Members that the description calls required are there.
-    const json schema = methods["get"]["responses"]["200"]["content"]["application/json"]["schema"];
-    for (const json& member : schema.value("required", json::array()))
-      CHECK(answer.parsed().contains(member));
+  // So that there is a job 1 with an output.
+  REQUIRE(serving.post("/api/v1/jobs", R"({"kind": "trace", "run": 1})").status == 202);
+  while (serving.get("/api/v1/jobs/1").parsed()["state"] != "finished") std::this_thread::sleep_for(10ms);
+  std::set<std::pair<std::string, std::string>> described;
+  for (const auto& [path, methods] : description["paths"].items())
+    for (const auto& [method, what] : methods.items()) {
+      CAPTURE(path, method);
+      std::string upper = method;
+      std::transform(upper.begin(), upper.end(), upper.begin(),
+                     [](unsigned char c) { return static_cast<char>(std::toupper(c)); });
+      described.emplace(upper, path);
+      if (method != "get") continue;
+      std::string target = "/api/v1" + path;
+      for (const auto& [name, value] : {std::pair{"{id}", "1"}, std::pair{"{key}", "K117.part_cost"}})
+        if (const auto at = target.find(name); at != std::string::npos)
+          target.replace(at, std::string(name).size(), value);
+      const Answer answer = serving.get(target);
+      CHECK(answer.status == 200);
+      const json& content = what["responses"]["200"]["content"];
+      if (!content.contains("application/json")) continue;  // a stream of events
+      json schema = content["application/json"]["schema"];
+      if (schema.contains("$ref"))
+        schema = description.at(json::json_pointer(schema["$ref"].get<std::string>().substr(1)));
+      // Members that the description calls required are there.
+      for (const json& member : schema.value("required", json::array()))
+        CHECK(answer.parsed().contains(member));
+    }
+  std::set<std::pair<std::string, std::string>> there;
+  for (const auto& [method, pattern] : web::Api::routes()) there.emplace(method, pattern);
+  CHECK(described == there);
+  // Every reference leads somewhere.
+  const std::string text(web::openapi_text());
+  const std::regex reference("\"\\$ref\": \"#([^\"]+)\"");
+  for (std::sregex_iterator at(text.begin(), text.end(), reference), end; at != end; ++at) {
+    CAPTURE((*at)[1].str());
+    CHECK(description.contains(json::json_pointer((*at)[1].str())));
   }
-  CHECK(description["paths"].size() == 10);
 }
 
 TEST_CASE("every answer forbids foreign scripts, frames and sniffing") {

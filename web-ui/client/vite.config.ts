@@ -10,6 +10,8 @@ export default defineConfig({
     chunkSizeWarningLimit: 800,
   },
   server: {
+    // The gallery stands outside this folder.
+    fs: { allow: ['../..'] },
     // The server answers only to its own name and origin.
     proxy: { '/api': { target: 'http://127.0.0.1:8080', changeOrigin: true, headers: { origin: 'http://127.0.0.1:8080' } } },
   },

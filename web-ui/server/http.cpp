@@ -54,13 +54,22 @@ Request request_of(const http::request<http::string_body>& message) {
 class Session : public std::enable_shared_from_this<Session> {
  public:
   Session(tcp::socket socket, const HttpOptions& options, const HttpServer::Handler& handler,
-          std::atomic<std::size_t>& open)
-      : stream_(std::move(socket)), buffer_(buffer_bytes), options_(options), handler_(handler), open_(open) {
+          std::atomic<std::size_t>& open, std::atomic<std::size_t>& streams)
+      : stream_(std::move(socket)),
+        pause_(stream_.get_executor()),
+        buffer_(buffer_bytes),
+        options_(options),
+        handler_(handler),
+        open_(open),
+        streams_(streams) {
     open_.fetch_add(1);
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
-  ~Session() { open_.fetch_sub(1); }
+  ~Session() {
+    open_.fetch_sub(1);
+    if (events_) streams_.fetch_sub(1);
+  }
 
   void start() {
     error_code ignored;
@@ -94,8 +103,10 @@ class Session : public std::enable_shared_from_this<Session> {
     if (!error) {
       const auto& message = parser_->get();
       const Request request = request_of(message);
-      return send(handled(request), message.keep_alive(), message.version(),
-                  message.method() == http::verb::head, false);
+      Response response = handled(request);
+      const bool head = message.method() == http::verb::head;
+      if (response.stream && !head) return send_stream(std::move(response), message.version());
+      return send(std::move(response), message.keep_alive(), message.version(), head, false);
     }
     if (error == http::error::end_of_stream || error == http::error::partial_message) return close();
     if (error == http::error::body_limit)
@@ -142,6 +153,56 @@ class Session : public std::enable_shared_from_this<Session> {
                       });
   }
 
+  // An event stream: the header, then chunks as news comes, until the stream or the client ends.
+  void send_stream(Response response, unsigned version) {
+    if (version < 11) return refuse(400, "an event stream needs HTTP/1.1");
+    if (streams_.fetch_add(1) >= options_.most_streams) {
+      streams_.fetch_sub(1);
+      return refuse(503, "too many event streams are open; close a page or ask for the state now and then");
+    }
+    events_ = std::move(response.stream);
+    header_.emplace(static_cast<http::status>(response.status), 11U);
+    header_->set(http::field::content_type, response.content_type);
+    for (const auto& [name, value] : response.headers) header_->set(name, value);
+    header_->keep_alive(false);
+    header_->chunked(true);
+    serializer_.emplace(*header_);
+    stream_.expires_after(options_.write_timeout);
+    http::async_write_header(stream_, *serializer_,
+                             [self = shared_from_this()](error_code error, std::size_t) {
+                               if (error) return self->close();
+                               self->last_piece_ = std::chrono::steady_clock::now();
+                               self->send_news();
+                             });
+  }
+
+  void send_news() {
+    std::optional<std::string> news = events_->next();
+    const auto now = std::chrono::steady_clock::now();
+    if (!news) {
+      stream_.expires_after(options_.write_timeout);
+      return net::async_write(stream_, http::make_chunk_last(),
+                              [self = shared_from_this()](error_code, std::size_t) { self->close(); });
+    }
+    if (news->empty() && now - last_piece_ >= options_.stream_heartbeat) *news = ":\n\n";
+    if (news->empty()) {
+      stream_.expires_never();
+      pause_.expires_after(options_.stream_pause);
+      return pause_.async_wait([self = shared_from_this()](error_code error) {
+        if (error) return self->close();
+        self->send_news();
+      });
+    }
+    last_piece_ = now;
+    piece_ = std::move(*news);
+    stream_.expires_after(options_.write_timeout);
+    net::async_write(stream_, http::make_chunk(net::buffer(piece_)),
+                     [self = shared_from_this()](error_code error, std::size_t) {
+                       if (error) return self->close();
+                       self->send_news();
+                     });
+  }
+
   void drain() {
     error_code ignored;
     stream_.socket().shutdown(tcp::socket::shutdown_send, ignored);
@@ -166,10 +227,17 @@ class Session : public std::enable_shared_from_this<Session> {
   }
 
   beast::tcp_stream stream_;
+  net::steady_timer pause_;
   beast::flat_buffer buffer_;
   const HttpOptions& options_;
   const HttpServer::Handler& handler_;
   std::atomic<std::size_t>& open_;
+  std::atomic<std::size_t>& streams_;
+  std::shared_ptr<EventStream> events_;
+  std::optional<http::response<http::empty_body>> header_;
+  std::optional<http::response_serializer<http::empty_body>> serializer_;
+  std::string piece_;
+  std::chrono::steady_clock::time_point last_piece_;
   std::optional<http::request_parser<http::string_body>> parser_;
   std::optional<http::response<http::string_body>> answer_;
   std::size_t drained_ = 0;
@@ -238,7 +306,7 @@ class HttpServer::Impl {
       }
       // Over the limit the socket is closed unanswered: an answer would need a connection's memory.
       if (open_.load() < options_.most_connections)
-        std::make_shared<Session>(std::move(socket), options_, handler_, open_)->start();
+        std::make_shared<Session>(std::move(socket), options_, handler_, open_, streams_)->start();
       accept();
     });
   }
@@ -247,6 +315,7 @@ class HttpServer::Impl {
   HttpOptions options_;
   Handler handler_;
   std::atomic<std::size_t> open_{0};
+  std::atomic<std::size_t> streams_{0};
   net::io_context context_;
   tcp::acceptor acceptor_;
   net::steady_timer retry_;

@@ -16,11 +16,14 @@ struct HttpOptions {
   std::uint16_t port = 8080;          ///< 0: any free one
   int threads = 2;
   std::size_t most_connections = 256;
+  std::size_t most_streams = 48;  ///< of them event streams, which stay open
   std::size_t header_bytes = 16U << 10U;
   std::uint64_t body_bytes = 1U << 20U;
-  std::chrono::milliseconds idle_timeout{30'000};   ///< until the first byte of a request
-  std::chrono::milliseconds read_timeout{10'000};   ///< from its first to its last byte
-  std::chrono::milliseconds write_timeout{30'000};  ///< for a whole answer
+  std::chrono::milliseconds idle_timeout{30'000};     ///< until the first byte of a request
+  std::chrono::milliseconds read_timeout{10'000};     ///< from its first to its last byte
+  std::chrono::milliseconds write_timeout{30'000};    ///< for a whole answer, or one piece of a stream
+  std::chrono::milliseconds stream_pause{150};        ///< between two looks for news
+  std::chrono::milliseconds stream_heartbeat{5'000};  ///< silence after which a comment shows a gone client
 };
 
 /// True for 127.0.0.0/8 and ::1. Throws std::invalid_argument when `address` is no numeric address.

@@ -4,9 +4,11 @@
 
 namespace verstat::web {
 
-Response error_response(int status, const std::string& message, const std::string& input) {
+Response error_response(int status, const std::string& message, const std::string& input,
+                        const std::string& pointer) {
   nlohmann::ordered_json error = {{"status", status}, {"message", message}};
   if (!input.empty()) error["input"] = input;
+  if (!pointer.empty()) error["pointer"] = pointer;
   const nlohmann::ordered_json body = {{"error", error}};
   // What a client sent may stand in the message and need not be UTF-8.
   return {.status = status,

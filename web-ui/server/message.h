@@ -2,6 +2,8 @@
 // Requests and answers without a socket, so that everything but the transport is tested as plain functions.
 
 #include <map>
+#include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -20,15 +22,29 @@ struct Request {
   }
 };
 
+/// An answer that goes on: text/event-stream. Asked again and again by the connection it belongs to.
+class EventStream {
+ public:
+  EventStream() = default;
+  EventStream(const EventStream&) = delete;
+  EventStream& operator=(const EventStream&) = delete;
+  virtual ~EventStream() = default;
+  /// What is new since the last call, possibly nothing; none when the stream has ended. Must not wait.
+  [[nodiscard]] virtual std::optional<std::string> next() = 0;
+};
+
 struct Response {
   int status = 200;
   std::string content_type = "application/json";
   std::string body;
   std::map<std::string, std::string>
-      headers;  ///< beyond Content-Type, Content-Length and those on every answer
+      headers;                          ///< beyond Content-Type, Content-Length and those on every answer
+  std::shared_ptr<EventStream> stream;  ///< sent after `body`, piece by piece, until it ends
 };
 
-/// {"error": {"status", "message"}}, with "input" when one input of a model function is to blame.
-[[nodiscard]] Response error_response(int status, const std::string& message, const std::string& input = "");
+/// {"error": {"status", "message"}}, with "input" when one input of a model function is to blame and
+/// "pointer" when a place in a scenario is.
+[[nodiscard]] Response error_response(int status, const std::string& message, const std::string& input = "",
+                                      const std::string& pointer = "");
 
 }  // namespace verstat::web

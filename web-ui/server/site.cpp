@@ -81,7 +81,7 @@ Response Site::unguarded(const Guard& guard, const Request& request) const {
 
 Response Site::answer(const Guard& guard, const Request& request) const {
   Response response = unguarded(guard, request);
-  if (response.status == 200 && (request.method == "GET" || request.method == "HEAD")) {
+  if (response.status == 200 && !response.stream && (request.method == "GET" || request.method == "HEAD")) {
     std::string& tag = response.headers["ETag"];
     if (tag.empty()) tag = tag_of(response.body);
     if (names_tag(request.header("if-none-match"), tag)) {

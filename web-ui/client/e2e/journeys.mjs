@@ -89,6 +89,7 @@ try {
   const charts = async (count) => page.waitForFunction((n) => document.querySelectorAll('.chart[data-drawn]').length >= n, count);
   const picture = async (name) => {
     if (!options.images) return;
+    await page.evaluate(() => scrollTo(0, 0));
     mkdirSync(options.images, { recursive: true });
     writeFileSync(join(options.images, `${name}.png`), await page.screenshot());
   };
@@ -97,7 +98,7 @@ try {
     await open('');
     const study = json('--study', '1');
     assert.equal(await page.textContent('.finding .words'), study.result.words.replaceAll('+-', '±'));
-    assert.equal(await page.locator('section:has(h2:text("Runs")) tbody tr').count(), 4);
+    assert.equal(await page.locator('section:has(#run-search) tbody tr').count(), 4);
     await accessible(page, 'home');
     await picture('home');
   });
@@ -136,7 +137,7 @@ try {
     await page.fill('#kpi-filter', 'roughing failures');
     const names = await page.locator('section:has(#kpi-filter) tbody th').allTextContents();
     assert.ok(names.length > 0 && names.every((n) => n.includes('roughing')), String(names));
-    const [download] = await Promise.all([page.waitForEvent('download'), page.click('button:text-is("CSV")')]);
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('section:has(#kpi-filter) button:text-is("CSV")')]);
     const rows = readFileSync(await download.path(), 'utf8').trim().split('\r\n');
     const run = json('--run', '1');
     assert.equal(rows.length, run.kpis.length + 1);
@@ -179,6 +180,215 @@ try {
     await page.check('input[aria-label="Tick run 4 to compare it"]');
     await page.click('button:has-text("Compare")');
     await page.waitForSelector('h1:has-text("Run 4 against run 1")');
+    await open('#/compare/1/2/4');
+    await page.waitForSelector('h1:has-text("3 runs side by side")');
+    const heads = await page.locator('thead th').allTextContents();
+    assert.equal(heads.filter((x) => x.startsWith('Verdict')).length, 2);
+    await accessible(page, 'compare three');
+  });
+
+  await journey('runs are searched, sorted, tagged and annotated', async () => {
+    await open('#/runs/2');
+    await page.click('summary:has-text("Note and tags")');
+    await page.fill('#tags', 'night, treated');
+    await page.fill('#note', 'Looks good');
+    await page.click('#save-note');
+    await page.waitForSelector('.annotation .tag:text-is("treated")');
+    await accessible(page, 'note');
+    await open('');
+    await page.selectOption('#run-tag', 'treated');
+    await page.waitForFunction(() => document.querySelectorAll('section:has(#run-search) tbody tr').length === 1);
+    await page.selectOption('#run-tag', '');
+    await page.fill('#run-search', 'LOOKS');
+    await page.waitForFunction(() => document.querySelectorAll('section:has(#run-search) tbody tr').length === 1);
+    await page.fill('#run-search', '');
+    await page.waitForFunction(() => document.querySelectorAll('section:has(#run-search) tbody tr').length > 3);
+    await page.click('button[data-sort=cost_per_part]');
+    await page.waitForFunction(() => document.querySelector('button[data-sort=cost_per_part]')?.textContent.includes('▾'));
+    const costs = await page.locator('section:has(#run-search) tbody tr td:nth-of-type(5)').allTextContents();
+    const numbers = costs.map((c) => parseFloat(c));
+    assert.deepEqual(numbers, [...numbers].sort((x, y) => y - x));
+    await page.click('button[data-sort=id]');
+  });
+
+  await journey('an operation is planned as verstat plan does, moved, and refused beside its field', async () => {
+    await open('#/operations/turning');
+    await page.waitForSelector('#plan-time');
+    const file = join(options.scenarios, 'operations', 'turning.json');
+    const direct = (...args) => JSON.parse(execFileSync(options.program, ['plan', file, '--json', ...args], { encoding: 'utf8' }));
+    const shown = async (name) => Number(plain(await page.textContent(`output[data-quantity="${name}"]`)));
+    for (const q of direct().quantities) assert.equal(await shown(q.name), Number(q.value.toPrecision(6)), q.name);
+    await accessible(page, 'operations');
+    await page.fill('[data-pointer="/process/feed_mm_rev"] input[type=text]', '0,36');
+    await page.press('[data-pointer="/process/feed_mm_rev"] input[type=text]', 'Tab');
+    await page.waitForSelector('#plan-verdict.bad');
+    for (const q of direct('--set', '/process/feed_mm_rev=0.36').quantities) assert.equal(await shown(q.name), Number(q.value.toPrecision(6)), q.name);
+    await page.click('[data-pointer="/process/feed_mm_rev"] button');
+    await page.waitForSelector('#sweep .chart[data-drawn]');
+    await picture('operations');
+    await page.fill('[data-pointer="/process/feed_mm_rev"] input[type=text]', '-1');
+    await page.press('[data-pointer="/process/feed_mm_rev"] input[type=text]', 'Tab');
+    await page.waitForSelector('[data-pointer="/process/feed_mm_rev"] > .bad:has-text("feed_mm_rev")');
+  });
+
+  await journey('a regime is changed, run and compared without leaving the browser', async () => {
+    await open('#/scenario/run/1');
+    await page.waitForSelector('#check.good');
+    await accessible(page, 'scenario');
+    await page.click('.shop-graph .node.machine');
+    const count = '[data-pointer="/machines/0/count"] input[type=text]';
+    await page.fill(count, '0');
+    await page.press(count, 'Tab');
+    await page.waitForSelector('[data-pointer="/machines/0/count"] > .bad:has-text("count")');
+    await page.fill('[data-pointer="/machines/0/count"] input[type=text]', '2');
+    await page.press('[data-pointer="/machines/0/count"] input[type=text]', 'Tab');
+    await page.waitForSelector('#check.good');
+    const scenario = JSON.parse(await page.inputValue('#scenario-text'));
+    scenario.tools[0].strategy.gamma = 0.47;
+    await page.fill('#scenario-text', JSON.stringify(scenario));
+    await page.waitForSelector('#history code:text-is("/tools/0/strategy/gamma")');
+    await page.waitForSelector('#check.good');
+    await page.fill('#run-label', 'gamma 0.47');
+    await page.click('#start-run');
+    await page.waitForSelector('.job[data-state=finished]');
+    await page.waitForSelector('#results a:has-text("Run 5")');
+    const run = json('--run', '5');
+    assert.equal(run.label, 'gamma 0.47');
+    assert.deepEqual(run.changes, [{ pointer: '/tools/0/strategy/gamma', value: 0.47 }]);
+    const again = JSON.parse(execFileSync(options.program, ['run', join(options.scenarios, 'heavy-lathe.json'), '--json', '--set', '/tools/0/strategy/gamma=0.47', '--db', join(folder, 'other.db')], { encoding: 'utf8' }));
+    assert.deepEqual(run.kpis, again.kpis);
+    const verdict = await page.locator('#results tbody tr:has-text("cost per part") .verdict').first().getAttribute('title');
+    assert.equal(verdict, 'lower');
+    await page.click('button:text-is("Undo")');
+    await page.waitForSelector('text=As opened.');
+    await picture('scenario');
+  });
+
+  await journey('a study is set up by ticking variables, started, and its answer opened', async () => {
+    await open('#/scenario/gallery/heavy-lathe');
+    await page.waitForSelector('#check.good');
+    await page.click('button:text-is("Set up a study")');
+    await page.click('.group[data-pointer="/tools"] > summary');
+    await page.click('.group[data-pointer="/tools/0"] > summary');
+    await page.click('.group[data-pointer="/tools/0/strategy"] > summary');
+    await page.check('[data-pointer="/tools/0/strategy/gamma"] input[type=checkbox]');
+    await page.waitForSelector('#study-setup tbody tr:has-text("gamma")');
+    await page.fill('#study-replications', '5');
+    await page.press('#study-replications', 'Tab');
+    await accessible(page, 'study set-up');
+    await page.click('#start-study');
+    await page.click('a.to-study');
+    await page.waitForSelector('#finding');
+    const id = /studies\/(\d+)/.exec(page.url())[1];
+    assert.equal(await page.textContent('#finding'), json('--study', id).result.words.replaceAll('+-', '±'));
+  });
+
+  await journey('a job under way is cancelled and leaves nothing behind', async () => {
+    const before = json().runs?.length ?? json().length;
+    await open('#/scenario/gallery/heavy-lathe');
+    await page.waitForSelector('#check.good');
+    const scenario = JSON.parse(await page.inputValue('#scenario-text'));
+    scenario.simulation.replications = 100000;
+    await page.fill('#scenario-text', JSON.stringify(scenario));
+    await page.click('#start-run');
+    await page.waitForSelector('.job[data-state=running]');
+    await page.click('.job button:text-is("Cancel")');
+    await page.waitForSelector('.job[data-state=cancelled]');
+    assert.equal(json().runs?.length ?? json().length, before);
+  });
+
+  await journey('a run computed again is the same bit for bit, and says so', async () => {
+    await open('#/runs/1');
+    await page.click('#compute-again');
+    await page.waitForSelector('[data-identical=true]');
+    assert.match(await page.textContent('[data-identical]'), /Bit for bit the same: all [\d,]+ values/);
+  });
+
+  await journey('tables and charts are saved as CSV, JSON, PNG and SVG; the CSV gives the numbers back', async () => {
+    await open('#/runs/1');
+    await charts(2);
+    const save = async (where, item) => {
+      await page.click(`${where} summary:text-is("Save")`);
+      const [download] = await Promise.all([page.waitForEvent('download'), page.click(`${where} .save-items button:text-is("${item}")`)]);
+      return readFileSync(await download.path());
+    };
+    const all = 'section:has(#kpi-filter) .with-save';
+    const run = json('--run', '1');
+    const rows = (await save(all, 'CSV for Excel (; and decimal comma)')).toString('utf8').replace('\uFEFF', '').trim().split('\r\n').map((r) => r.split(';'));
+    assert.equal(rows.length, run.kpis.length + 1);
+    run.kpis.forEach((k, i) => assert.equal(Number(rows[i + 1][1].replace(',', '.')), k.mean ?? 0, k.name));
+    assert.equal(JSON.parse((await save(all, 'JSON')).toString('utf8')).length, run.kpis.length);
+    const chart = 'section:has-text("machine’s time") .with-save:has(.chart)';
+    assert.deepEqual([...(await save(chart, 'PNG')).subarray(1, 4)].map((c) => String.fromCharCode(c)).join(''), 'PNG');
+    assert.match((await save(chart, 'SVG')).toString('utf8'), /^<svg[\s\S]*cutting/);
+  });
+
+  await journey('the tool-change sheet and the morning report print', async () => {
+    await open('#/sheet/1');
+    const plan = JSON.parse(execFileSync(options.program, ['models', 'eval', 'K117.gamma_percent_life', '--inputs', '{"gamma": 0.64}'], { encoding: 'utf8' }));
+    const cells = await page.locator('tbody tr').first().locator('th, td').allTextContents();
+    const [, , merged, , age, cutting] = cells;
+    assert.equal(Number(age), Number(plan.T_gamma_min.toPrecision(4)));
+    assert.equal(Number(merged), Math.floor(plan.T_gamma_min / Number(plain(cutting))));
+    await charts(1);
+    await page.emulateMedia({ media: 'print' });
+    assert.equal(await page.locator('#top nav').isVisible(), false);
+    assert.ok((await page.pdf({ format: 'A4' })).length > 10_000);
+    await page.emulateMedia({ media: 'screen' });
+    await accessible(page, 'sheet');
+    await open('#/report/1');
+    const study = json('--study', '1');
+    assert.equal(await page.textContent('#finding'), study.result.words.replaceAll('+-', '±'));
+    const changes = await page.locator('section:has-text("What to change") tbody tr').allTextContents();
+    assert.equal(changes.length, study.variables.length);
+    await accessible(page, 'report');
+    await picture('report');
+  });
+
+  await journey('the Gantt chart of a large run opens and zooms from a year to a minute', async () => {
+    await open('#/trace/1');
+    await page.click('#record');
+    await page.waitForSelector('canvas[data-bars]');
+    const trace = JSON.parse(execFileSync(options.program, ['trace', join(options.scenarios, 'heavy-lathe.json')], { encoding: 'utf8', maxBuffer: 1 << 28 }));
+    // The shares of the whole horizon are those of the trace that the command line writes.
+    const cutting = trace.machines[0].intervals.filter((i) => i[2] === 'cutting').reduce((sum, [a, b]) => sum + b - a, 0);
+    const column = (await page.locator('section:has-text("Shares of the time shown") thead th').allTextContents()).findIndex((x) => x.startsWith('cutting'));
+    const first = await page.locator('section:has-text("Shares of the time shown") tbody tr').first().locator('th, td').allTextContents();
+    assert.equal(first[0], trace.machines[0].name);
+    assert.equal(first[column], ((100 * cutting) / trace.horizon_min).toFixed(1));
+    await picture('gantt');
+    const states = ['cutting', 'idle', 'planned_change'];
+    const machines = Array.from({ length: 20 }, (_, m) => ({ name: `machine ${m + 1}`, intervals: Array.from({ length: 20_000 }, (__, k) => [k * 26, (k + 1) * 26, states[(k + m) % 3]]) }));
+    const file = join(folder, 'trace.json');
+    writeFileSync(file, JSON.stringify({ machines }));
+    await open('#/trace');
+    await page.setInputFiles('#trace-file', file);
+    await page.waitForSelector('canvas[data-bars]');
+    const drawn = Number(await page.getAttribute('canvas', 'data-bars'));
+    assert.ok(drawn > 20 && drawn <= 3 * 20 * 1480, `${drawn} bars`);
+    const start = Date.now();
+    await page.click('button:text-is("One minute")');
+    await page.waitForFunction(() => Number(document.querySelector('canvas')?.dataset.bars) <= 40);
+    assert.ok(Date.now() - start < 3000, 'zooming takes too long');
+    await page.focus('canvas');
+    await page.keyboard.press('Home');
+    await page.waitForFunction((n) => Number(document.querySelector('canvas')?.dataset.bars) === n, drawn);
+    const shares = await page.locator('section:has-text("Shares of the time shown") tbody tr').first().locator('td').allTextContents();
+    assert.ok(Math.abs(shares.reduce((sum, x) => sum + Number(x), 0) - 100) < 0.2, String(shares));
+    await accessible(page, 'trace');
+    writeFileSync(file, '{"machines": [{"name": "x"}]}');
+    await page.setInputFiles('#trace-file', file);
+    await page.waitForSelector('.bad:has-text("/machines/0: needs")');
+  });
+
+  await journey('a function of the catalogue is drawn as a curve and as a map', async () => {
+    await open('#/models/K117.weibull_from_moments');
+    await page.click('#map-draw');
+    await page.waitForSelector('#model-map .chart[data-drawn]');
+    await page.selectOption('#map-y', 'cv');
+    await page.waitForFunction(() => document.querySelector('#model-map .chart.tall[data-drawn]'));
+    await accessible(page, 'map');
+    await picture('map');
   });
 
   await journey('a model is found, evaluated with a decimal comma, and refuses a bad input beside its field', async () => {
@@ -201,10 +411,8 @@ try {
     await page.press('#in-cv', 'Enter');
     await page.waitForSelector('#error-cv:has-text("no number")');
     await accessible(page, 'model');
-    await open('#/models/K117.part_cost');
-    await picture('model');
   });
-  // The two refused evaluations above are reported by the browser as failed requests; nothing else may be.
+  // The refused evaluations, plans and checks above are reported by the browser as failed requests; nothing else may be.
   const unexpected = complaints.splice(0).filter((c) => !/status of 422/.test(c));
 
   await journey('Ukrainian is a full language of the pages', async () => {
@@ -236,7 +444,7 @@ try {
     await open('#/runs/999');
     await page.waitForSelector('text=there is no run 999');
     await page.click('text=Back to runs and studies');
-    await page.waitForSelector('h2:has-text("Runs")');
+    await page.waitForSelector('#run-search');
     complaints.splice(0).filter((c) => !/status of 404/.test(c)).forEach((c) => unexpected.push(c));
   });
 
@@ -254,6 +462,18 @@ try {
     await page.waitForSelector('text=The server does not answer');
   });
 
+  await journey('a read-only server starts nothing', async () => {
+    current = await startServer('--read-only');
+    const base = new URL(current.url).origin;
+    const refused = await fetch(`${base}/api/v1/jobs`, { method: 'POST', headers: { 'X-Verstat': '1', 'Content-Type': 'application/json' }, body: '{"kind": "again", "run": 1}' });
+    assert.equal(refused.status, 403);
+    await page.goto(`${base}/#/scenario/gallery/heavy-lathe`);
+    await page.waitForSelector('#start-run[disabled]');
+    const gone = ended(current.server);
+    current.server.kill('SIGTERM');
+    assert.equal(await gone, 0);
+  });
+
   await journey('with a token the pages ask for it, refuse a wrong one and open with the right one', async () => {
     const token = 'journeys-token-0123456789';
     current = await startServer('--token', token);
@@ -267,10 +487,10 @@ try {
     await stranger.waitForSelector('text=The token was refused');
     await stranger.fill('#token', token);
     await stranger.click('button[type=submit]');
-    await stranger.waitForSelector('h2:has-text("Runs")');
+    await stranger.waitForSelector('#run-search');
     const guest = await context.newPage();
     await guest.goto(current.url);
-    await guest.waitForSelector('h2:has-text("Runs")');
+    await guest.waitForSelector('#run-search');
     assert.ok(!guest.url().includes(token), 'the token stays in the address bar');
     const gone = ended(current.server);
     current.server.kill('SIGINT');

@@ -1,5 +1,8 @@
 // Elements without a framework: h('td', { class: 'number' }, '12.3').
 
+import type { Cell } from './logic/csv';
+import { saveMenu, tableItems } from './ui/save';
+
 export type Child = Node | string | number | null | undefined | false | Child[];
 type Handler = (event: Event) => void;
 export type Props = Record<string, string | number | boolean | Handler | undefined>;
@@ -39,11 +42,31 @@ export interface Column<Row> {
   cell: (row: Row) => Child;
   /** Heads the row for screen readers. */
   rowHead?: boolean;
+  /** What is saved in place of the printed cell: numbers with all their digits. */
+  raw?: (row: Row) => Cell;
 }
+
+/** An SVG element; like `h`. */
+export function svg(tag: string, props: Record<string, string | number | undefined> = {}, ...children: Child[]): SVGElement {
+  const element = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(props)) if (value !== undefined) element.setAttribute(name, String(value));
+  append(element, children);
+  return element;
+}
+
+const textOf = (child: Child): string => {
+  const f = document.createDocumentFragment();
+  append(f, [child]);
+  return (f.textContent ?? '').trim();
+};
 
 /** A table with a caption (read aloud, not shown unless `shown`) that scrolls sideways rather than the page. */
 export function table<Row>(caption: string, columns: Column<Row>[], rows: readonly Row[], rowClass?: (row: Row) => string | undefined): HTMLElement {
-  return h(
+  const data = (): Cell[][] => [
+    columns.map((c) => [textOf(c.head), c.unit ? `[${c.unit}]` : ''].filter(Boolean).join(' ')),
+    ...rows.map((row) => columns.map((c) => (c.raw ? c.raw(row) : textOf(c.cell(row))))),
+  ];
+  const body = h(
     'div',
     { class: 'table-wrap', tabindex: 0, role: 'region', 'aria-label': caption },
     h(
@@ -76,4 +99,5 @@ export function table<Row>(caption: string, columns: Column<Row>[], rows: readon
       ),
     ),
   );
+  return rows.length === 0 ? body : h('div', { class: 'with-save' }, body, saveMenu(caption, tableItems(caption, data)));
 }

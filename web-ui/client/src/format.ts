@@ -31,10 +31,13 @@ export function decimalsFor(halfWidth: number): number {
   return Math.min(12, Math.max(0, 1 - Math.floor(Math.log10(halfWidth))));
 }
 
+const roundingNoise = 1e-11;
+
 /** Mean and half-width as texts; `scale` 100 for percent. The half-width is '' when there is none or it is zero. */
 export function estimate(mean: number | null | undefined, halfWidth: number | null | undefined, scale = 1): { mean: string; half: string } {
   if (mean === null || mean === undefined) return { mean: '–', half: '' };
-  if (halfWidth === null || halfWidth === undefined || halfWidth === 0) return { mean: significant(mean * scale), half: '' };
+  // What is left of a scatter of nought after rounding is no uncertainty.
+  if (halfWidth === null || halfWidth === undefined || halfWidth <= roundingNoise * Math.abs(mean)) return { mean: significant(mean * scale), half: '' };
   const digits = decimalsFor(halfWidth * scale);
   return { mean: fixed(mean * scale, digits), half: fixed(halfWidth * scale, digits) };
 }

@@ -9,11 +9,28 @@ import { comparePage } from './pages/compare';
 import { homePage } from './pages/home';
 import { modelPage } from './pages/model';
 import { modelsPage } from './pages/models';
+import { operationsPage } from './pages/operations';
+import { reportPage } from './pages/report';
 import { runPage } from './pages/run';
+import { scenarioPage } from './pages/scenario';
+import { sheetPage } from './pages/sheet';
 import { studyPage } from './pages/study';
+import { tracePage } from './pages/trace';
 import { matchRoute } from './routes';
 
-const pages: Record<string, PageMaker> = { home: homePage, run: runPage, study: studyPage, compare: comparePage, models: modelsPage, model: modelPage };
+const pages: Record<string, PageMaker> = {
+  home: homePage,
+  run: runPage,
+  study: studyPage,
+  report: reportPage,
+  sheet: sheetPage,
+  compare: comparePage,
+  scenario: scenarioPage,
+  operations: operationsPage,
+  trace: tracePage,
+  models: modelsPage,
+  model: modelPage,
+};
 
 const main = document.getElementById('main') as HTMLElement;
 const live = document.getElementById('live') as HTMLElement;
@@ -31,7 +48,8 @@ function header(): void {
   }
   const here = location.hash;
   const link = (href: string, text: string, active: boolean) => h('a', { href, 'aria-current': active ? 'page' : undefined }, text);
-  const models = here.startsWith('#/models');
+  const inside = (part: string) => here.startsWith(`#/${part}`);
+  const elsewhere = ['models', 'scenario', 'operations', 'trace'].some(inside);
   const select = h(
     'select',
     {
@@ -46,7 +64,7 @@ function header(): void {
   );
   document.getElementById('top')?.replaceChildren(
     h('a', { class: 'brand', href: '#/' }, h('strong', {}, 'Verstat'), h('span', { class: 'tagline' }, t('app.tagline'))),
-    h('nav', { 'aria-label': t('nav.main') }, link('#/', t('nav.home'), !models), link('#/models', t('nav.models'), models)),
+    h('nav', { 'aria-label': t('nav.main') }, link('#/', t('nav.home'), !elsewhere), link('#/scenario', t('nav.scenario'), inside('scenario')), link('#/operations', t('nav.operations'), inside('operations')), link('#/models', t('nav.models'), inside('models')), link('#/trace', t('nav.trace'), inside('trace'))),
     select,
   );
 }

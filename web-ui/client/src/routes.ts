@@ -1,7 +1,8 @@
-// Addresses: #/ #/runs/3 #/studies/1 #/compare/2/3 #/models #/models/K117.part_cost
+// Addresses: #/ #/runs/3 #/studies/1 #/report/1 #/compare/2/3/4 #/scenario/run/3 #/operations/turning #/sheet/3
+// #/trace/3 #/models #/models/K117.part_cost
 
 export interface Route {
-  page: 'home' | 'run' | 'study' | 'compare' | 'models' | 'model';
+  page: 'home' | 'run' | 'study' | 'report' | 'sheet' | 'compare' | 'scenario' | 'operations' | 'trace' | 'models' | 'model';
   parameters: string[];
 }
 
@@ -9,7 +10,14 @@ const patterns: [RegExp, Route['page']][] = [
   [/^(?:#\/?)?$/, 'home'],
   [/^#\/runs\/(\d+)$/, 'run'],
   [/^#\/studies\/(\d+)$/, 'study'],
-  [/^#\/compare\/(\d+)\/(\d+)$/, 'compare'],
+  [/^#\/report\/(\d+)$/, 'report'],
+  [/^#\/sheet\/(\d+)$/, 'sheet'],
+  [/^#\/compare\/(\d+(?:\/\d+){1,7})$/, 'compare'],
+  [/^#\/scenario$/, 'scenario'],
+  [/^#\/scenario\/(run)\/(\d+)$/, 'scenario'],
+  [/^#\/scenario\/(gallery)\/([\w-]+)$/, 'scenario'],
+  [/^#\/operations(?:\/([\w-]+))?$/, 'operations'],
+  [/^#\/trace(?:\/(\d+))?$/, 'trace'],
   [/^#\/models$/, 'models'],
   [/^#\/models\/([\w.-]+)$/, 'model'],
 ];
@@ -17,7 +25,7 @@ const patterns: [RegExp, Route['page']][] = [
 export function matchRoute(hash: string): Route | null {
   for (const [pattern, page] of patterns) {
     const match = pattern.exec(hash);
-    if (match) return { page, parameters: match.slice(1) };
+    if (match) return { page, parameters: match.slice(1).filter((p) => p !== undefined) };
   }
   return null;
 }

@@ -21,7 +21,12 @@ export interface Kpi {
   values?: (number | null)[];
 }
 
-export interface RunHeader {
+export interface Annotation {
+  note: string;
+  tags: string[];
+}
+
+export interface RunHeader extends Partial<Annotation> {
   id: number;
   label: string;
   scenario: string;
@@ -42,7 +47,7 @@ export interface Run extends RunHeader {
   kpis: Kpi[];
 }
 
-export interface StudyHeader {
+export interface StudyHeader extends Partial<Annotation> {
   id: number;
   name: string;
   scenario: string;
@@ -59,6 +64,8 @@ export interface Variable {
   unit: string;
   low: number;
   high: number;
+  type?: 'continuous' | 'integer' | 'categorical';
+  options?: unknown[];
 }
 
 export interface Trial {
@@ -67,10 +74,12 @@ export interface Trial {
   values: number[];
   objective: number | null;
   feasible: boolean;
+  half_width?: number | null;
+  replications?: number;
 }
 
 export interface PlanPoint {
-  values: { name: string; pointer: string; unit: string; value: number }[];
+  values: { name: string; pointer: string; unit: string; value: unknown; text?: string }[];
   analytic: number | null;
   simulated: { mean: number | null; half_width_95: number | null };
 }
@@ -84,6 +93,8 @@ export interface StudyResult {
   saving?: { mean: number | null; half_width: number | null; confidence: number };
   verdict?: string;
   words?: string;
+  /** What newer programs add: fronts, binding constraints, sensitivities. Shown as far as its form is known. */
+  [more: string]: unknown;
 }
 
 export interface Study extends StudyHeader {
@@ -92,7 +103,6 @@ export interface Study extends StudyHeader {
   baseline_run: number | null;
   best_run: number | null;
   result: StudyResult;
-  trial_list: Trial[];
 }
 
 export interface Page {
@@ -151,4 +161,147 @@ export interface Version {
   program: string;
   version: string;
   database: string;
+  read_only: boolean;
+}
+
+export interface RunScenario {
+  run: number;
+  name: string;
+  scenario: string;
+  changes: Change[];
+}
+export interface TrialPage extends Page {
+  trials: Trial[];
+}
+export interface TagList {
+  tags: { name: string; count: number }[];
+}
+
+/** The part of JSON Schema (draft 7) that the server's schemas use. */
+export interface JsonSchema {
+  type?: string;
+  title?: string;
+  description?: string;
+  default?: unknown;
+  enum?: unknown[];
+  const?: unknown;
+  minimum?: number;
+  maximum?: number;
+  exclusiveMinimum?: number;
+  exclusiveMaximum?: number;
+  minItems?: number;
+  maxItems?: number;
+  properties?: Record<string, JsonSchema>;
+  required?: string[];
+  items?: JsonSchema;
+  oneOf?: JsonSchema[];
+  anyOf?: JsonSchema[];
+  $ref?: string;
+}
+
+export interface Kind {
+  name: string;
+  summary: string;
+  sources: string[];
+  schema: JsonSchema | null;
+}
+export interface KindList {
+  total: number;
+  kinds: Kind[];
+}
+
+export interface Quantity {
+  name: string;
+  value: number;
+  unit: string;
+  origin?: string;
+  meaning?: string;
+}
+export interface Limit {
+  name: string;
+  value: number;
+  at_most?: number;
+  at_least?: number;
+  unit: string;
+  margin: number;
+  met: boolean;
+  origin?: string;
+}
+export interface Band {
+  name: string;
+  value: number;
+  low: number;
+  high: number;
+  unit: string;
+  inside: boolean;
+  origin?: string;
+}
+export interface ElementLife {
+  element: string;
+  law: string;
+  mean_min: number;
+  cv: number;
+  origin?: string;
+}
+export interface CutPlan {
+  feasible: boolean;
+  main_time_min: number;
+  edge_life: ElementLife | null;
+  more_elements: ElementLife[];
+  scrap_probability: number;
+  breakage_probability: number;
+  quantities: Quantity[];
+  limits: Limit[];
+  forbidden_bands: Band[];
+  consumables: Quantity[];
+}
+export interface SweepPoint {
+  value: number;
+  feasible?: boolean;
+  quantities?: Record<string, number>;
+  margins?: Record<string, number>;
+  error?: string;
+}
+export interface SweepResult {
+  pointer: string;
+  points: SweepPoint[];
+}
+export interface ModelMap {
+  output: string;
+  values: (number | null)[][];
+  refusals: Record<string, string>;
+}
+export interface CheckResult {
+  valid: boolean;
+  name: string;
+  operations: { operation: string; main_time_min?: number; feasible?: boolean; error?: string }[];
+}
+
+export interface Job {
+  id: number;
+  kind: 'run' | 'study' | 'again' | 'trace';
+  title: string;
+  state: 'queued' | 'running' | 'finished' | 'failed' | 'cancelled';
+  stage: string;
+  done: number | null;
+  of: number | null;
+  left_s: number | null;
+  best: number | null;
+  elapsed_s: number;
+  message: string;
+  result: {
+    run?: number;
+    study?: number;
+    baseline_run?: number;
+    best_run?: number;
+    of_run?: number;
+    replication?: number;
+    bytes?: number;
+    values?: number;
+    different?: number;
+    identical?: boolean;
+    first_difference?: string;
+    versions?: string[];
+    platforms?: string[];
+  } | null;
 }

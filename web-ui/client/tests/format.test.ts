@@ -31,4 +31,8 @@ describe('numbers', () => {
     expect(unitText('mm^2')).toBe('mm²');
     expect(unitText('m/min')).toBe('m/min');
   });
+  it('a half-width that is rounding noise is none', () => {
+    expect(estimateText(33.442993796469, 1e-14)).toBe('33.443');
+    expect(estimateText(0, 0)).toBe('0');
+  });
 });

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { bestSoFar, distinctPlans, quantile, ranked, thinned } from '../src/logic/trials';
+import { bestSoFar, distinctPlans, quantile, ranked } from '../src/logic/trials';
 import { historyCeiling, historyOption } from '../src/charts/trials';
 import { matchRoute } from '../src/routes';
 import type { Trial } from '../src/types';
@@ -12,6 +12,8 @@ describe('trials of a study', () => {
   it('the best so far falls, ignores infeasible trials and reaches the last one', () => {
     expect(bestSoFar(trials)).toEqual([[1, 5], [4, 3], [6, 3]]);
     expect(bestSoFar([])).toEqual([]);
+    expect(bestSoFar(trials, -1)).toEqual([[1, 5], [2, 7], [6, 7]]);
+    expect(ranked(trials, -1).map((t) => t.number)).toEqual([2, 1, 6, 4]);
   });
   it('are ranked cheapest first', () => {
     expect(ranked(trials).map((t) => t.number)).toEqual([4, 6, 1, 2]);
@@ -19,17 +21,6 @@ describe('trials of a study', () => {
   it('plans that agree to three digits are listed once, by their cheapest trial', () => {
     const near = (number: number, value: number, objective: number): Trial => ({ ...trial(number, objective), values: [value, 46.97] });
     expect(distinctPlans([near(1, 0.4704, 5), near(2, 0.4703, 4), near(3, 0.48, 6)]).map((t) => t.number)).toEqual([2, 3]);
-  });
-  it('are thinned to the cheapest and an even sample of the others', () => {
-    const many = Array.from({ length: 1000 }, (_, k) => trial(k + 1, 1000 - k));
-    const some = thinned(many, 100);
-    expect(some).toHaveLength(100);
-    expect(new Set(some.map((t) => t.number)).size).toBe(100);
-    // The cheapest fifty are the last ones; the dearer ones are spread over all the rest.
-    expect(some.filter((t) => t.number > 950)).toHaveLength(50);
-    expect(some.filter((t) => t.number <= 475)).toHaveLength(25);
-    expect(thinned(many, 1000)).toEqual(many);
-    expect(thinned([trial(1, null)], 5)).toEqual([]);
   });
   it('quantiles are members of the list', () => {
     expect(quantile([4, 1, 3, 2], 0.5)).toBe(2);
@@ -40,7 +31,7 @@ describe('trials of a study', () => {
     const ceiling = historyCeiling(many, 110);
     expect(ceiling).toBeGreaterThan(118);
     expect(ceiling).toBeLessThan(130);
-    const [inside, beyond, best, today] = historyOption(many, 'cost', 'UAH', 110, theme).series as { data: number[][] }[];
+    const [inside, beyond, best, today] = historyOption(many, 'cost', 'UAH', 110, null, theme).series as { data: number[][] }[];
     expect(inside?.data).toHaveLength(20);
     expect(inside?.data[3]).toEqual([4, 103]);
     expect(beyond?.data).toEqual([[21, ceiling, 5000]]);
@@ -54,7 +45,11 @@ describe('addresses', () => {
     ['', 'home', []],
     ['#/', 'home', []],
     ['#/runs/12', 'run', ['12']],
-    ['#/compare/2/3', 'compare', ['2', '3']],
+    ['#/compare/2/3', 'compare', ['2/3']],
+    ['#/compare/2/3/9', 'compare', ['2/3/9']],
+    ['#/scenario/run/3', 'scenario', ['run', '3']],
+    ['#/operations', 'operations', []],
+    ['#/operations/deep_hole_drilling', 'operations', ['deep_hole_drilling']],
     ['#/models/K117.part_cost', 'model', ['K117.part_cost']],
   ])('%s', (hash, page, parameters) => expect(matchRoute(hash)).toEqual({ page, parameters }));
   it.each(['#/runs/abc', '#/runs/1/2', '#/models/../x', '#/nothing'])('%s is no page', (hash) => expect(matchRoute(hash)).toBeNull());

@@ -1,7 +1,6 @@
 // Where each machine's time went: one bar of 100 % per machine.
 
 import { fixed } from '../format';
-import { named } from '../i18n';
 import { tooltip } from './chart';
 import type { Option } from './echarts';
 import { colourOf, textOn, type Theme } from './theme';
@@ -12,21 +11,22 @@ export interface TimeRow {
   percent: number[];
 }
 
-export function timeBars(states: readonly string[], rows: readonly TimeRow[], theme: Theme): Option {
+/** `names` as printed; `keys` decide the colours. */
+export function timeBars(names: readonly string[], rows: readonly TimeRow[], theme: Theme, keys: readonly string[] = names): Option {
   return {
     grid: { left: 8, right: 16, top: 34, bottom: 4, containLabel: true },
     legend: { top: 0, left: 0, itemWidth: 12, itemHeight: 12, textStyle: { color: theme.text, fontSize: 12 } },
     tooltip: tooltip(theme),
     xAxis: { type: 'value', min: 0, max: 100, axisLabel: { color: theme.muted, formatter: (v: number) => `${v} %` }, splitLine: { lineStyle: { color: theme.line } } },
     yAxis: { type: 'category', inverse: true, data: rows.map((r) => r.machine), axisLabel: { color: theme.text, width: 160, overflow: 'truncate' }, axisTick: { show: false }, axisLine: { lineStyle: { color: theme.line } } },
-    series: states.map((state, k) => ({
+    series: names.map((name, k) => ({
       type: 'bar' as const,
-      name: named('state', state),
+      name,
       stack: 'time',
       barMaxWidth: 30,
-      itemStyle: { color: colourOf(state, k) },
+      itemStyle: { color: colourOf(keys[k] ?? name, k) },
       data: rows.map((r) => r.percent[k] ?? 0),
-      label: { show: true, color: textOn(colourOf(state, k)), fontSize: 11, formatter: (p: { value?: unknown }) => (Number(p.value) >= 4 ? fixed(Number(p.value), 1) : '') },
+      label: { show: true, color: textOn(colourOf(keys[k] ?? name, k)), fontSize: 11, formatter: (p: { value?: unknown }) => (Number(p.value) >= 4 ? fixed(Number(p.value), 1) : '') },
       tooltip: { valueFormatter: (v: unknown) => `${fixed(Number(v), 1)} %` },
     })),
   };

@@ -2,7 +2,7 @@
 
 import { significant, unitText } from '../format';
 import { t } from '../i18n';
-import { bestSoFar, quantile } from '../logic/trials';
+import { bestSoFar, quantile, type Sign } from '../logic/trials';
 import type { Trial, Variable } from '../types';
 import { tooltip } from './chart';
 import type { Option } from './echarts';
@@ -29,11 +29,16 @@ export function historyCeiling(trials: readonly Trial[], today: number | null): 
   return Math.min(quantile(values, 1), high + 0.15 * (high - low));
 }
 
-export function historyOption(trials: readonly Trial[], objective: string, unit: string, today: number | null, theme: Theme): Option {
+const bestOf = (trials: readonly Trial[], sign: Sign): number => trials.reduce((best, x) => (x.feasible && x.objective !== null && sign * x.objective < sign * best ? x.objective : best), sign * Infinity);
+
+export function historyOption(trials: readonly Trial[], objective: string, unit: string, today: number | null, noise: number | null, theme: Theme, sign: Sign = 1): Option {
   const known = trials.filter((x) => x.objective !== null);
-  const ceiling = historyCeiling(trials, today);
-  const inside = known.filter((x) => (x.objective ?? 0) <= ceiling);
-  const beyond = known.filter((x) => (x.objective ?? 0) > ceiling);
+  // Where higher is better the far-off edge is the lower one.
+  const turned = sign === 1 ? trials : trials.map((x) => ({ ...x, objective: x.objective === null ? null : -x.objective }));
+  const ceiling = sign * historyCeiling(turned, today === null ? null : sign * today);
+  const near = (value: number) => sign * value <= sign * ceiling;
+  const inside = known.filter((x) => near(x.objective ?? 0));
+  const beyond = known.filter((x) => !near(x.objective ?? 0));
   const last = trials.at(-1)?.number ?? 1;
   return {
     grid: { left: 62, right: 18, top: 34, bottom: 42 },
@@ -55,7 +60,9 @@ export function historyOption(trials: readonly Trial[], objective: string, unit:
     series: [
       { type: 'scatter', name: t('study.trial'), symbolSize: 4, large: inside.length > 5000, itemStyle: { color: theme.accent, opacity: 0.55 }, data: inside.map((x) => [x.number, x.objective ?? 0]) },
       { type: 'scatter', name: t('study.beyond'), symbol: 'triangle', symbolSize: 7, itemStyle: { color: theme.muted, opacity: 0.7 }, data: beyond.map((x) => [x.number, ceiling, x.objective ?? 0]) },
-      { type: 'line', name: t('study.bestSoFar'), step: 'end', symbol: 'none', lineStyle: { color: theme.good, width: 2 }, itemStyle: { color: theme.good }, data: bestSoFar(trials).filter(([, value]) => value <= ceiling) },
+      { type: 'line', name: t('study.bestSoFar'), step: 'end', symbol: 'none', lineStyle: { color: theme.good, width: 2 }, itemStyle: { color: theme.good }, data: bestSoFar(trials, sign).filter(([, value]) => near(value)) },
+      // The band in which a simulation could not tell plans from the best one.
+      ...(noise === null || known.length === 0 ? [] : [{ type: 'line' as const, silent: true, symbol: 'none', lineStyle: { opacity: 0 }, data: [], markArea: { silent: true, itemStyle: { color: theme.good, opacity: 0.14 }, data: [[{ yAxis: bestOf(known, sign) - noise }, { yAxis: bestOf(known, sign) + noise }]] as [{ yAxis: number }, { yAxis: number }][] } }]),
       ...(today === null ? [] : [{ type: 'line' as const, name: t('col.today'), symbol: 'none', lineStyle: { color: theme.bad, width: 1.5, type: 'dashed' as const }, itemStyle: { color: theme.bad }, data: [[1, today], [Math.max(2, last), today]] }]),
     ],
   };

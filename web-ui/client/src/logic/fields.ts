@@ -78,3 +78,24 @@ export function provenanceKind(provenance: string): (typeof provenances)[number]
   const last = provenance.toLowerCase().split(/[\s,]+/).at(-1);
   return provenances.find((p) => p === last);
 }
+
+/** Ends of a slider for a number: its range where that is closed and not vast, else from half to double its value. */
+export function sliderRange(field: Field, value: number): { low: number; high: number } {
+  const size = Math.abs(value);
+  const nudge = (size > 0 ? size : 1) * 1e-3;
+  const floor = field.at_least ?? (field.above !== undefined ? field.above + nudge : -Infinity);
+  const ceiling = field.at_most ?? (field.below !== undefined ? field.below - nudge : Infinity);
+  const narrow = Number.isFinite(floor) && Number.isFinite(ceiling) && ceiling - floor <= 4 * Math.max(size, 1e-9);
+  const digits = (x: number) => Number(x.toPrecision(6));
+  if (narrow) return { low: digits(floor), high: digits(ceiling) };
+  if (field.kind === 'integer') return { low: Math.max(floor, Math.floor(value / 2)), high: Math.min(ceiling, Math.max(Math.ceil(2 * value), value + 1)) };
+  const low = value === 0 ? -1 : value - size / 2;
+  const high = value === 0 ? 1 : value + size;
+  return { low: digits(Math.max(low, floor)), high: digits(Math.min(high, ceiling)) };
+}
+
+/** `count` values from `low` to `high`, both included; whole numbers each once. */
+export function spread(low: number, high: number, count: number, integer: boolean): number[] {
+  const all = Array.from({ length: count }, (_, k) => low + ((high - low) * k) / (count - 1));
+  return integer ? [...new Set(all.map(Math.round))] : all;
+}

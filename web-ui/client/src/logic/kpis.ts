@@ -39,8 +39,13 @@ export function machineTimes(kpis: readonly Kpi[]): MachineTime[] {
   return [...machines.values()];
 }
 
-/** KPIs below "tool/NAME/" or "crew/NAME/", one entity per name. */
-export function entities(kpis: readonly Kpi[], kind: 'tool' | 'crew'): Entity[] {
+/** First steps of the paths that have a name and an indicator below: "machine", "tool", "crew", ... in order. */
+export function entityKinds(kpis: readonly Kpi[]): string[] {
+  return [...new Set(kpis.flatMap((k) => (k.name.split('/').length > 2 ? [k.name.slice(0, k.name.indexOf('/'))] : [])))];
+}
+
+/** KPIs below "tool/NAME/", "crew/NAME/" and so on, one entity per name. */
+export function entities(kpis: readonly Kpi[], kind: string): Entity[] {
   const all = new Map<string, Entity>();
   for (const kpi of kpis) {
     const match = new RegExp(`^${kind}/(.+)/([^/]+)$`).exec(kpi.name);

@@ -2,12 +2,15 @@
 
 import type { Trial } from '../types';
 
-/** Smallest objective up to each trial, over feasible trials with a value: [trial number, objective], steps only. */
-export function bestSoFar(trials: readonly Trial[]): [number, number][] {
+/** 1: lower is better; -1: higher is. */
+export type Sign = 1 | -1;
+
+/** Best objective up to each trial, over feasible trials with a value: [trial number, objective], steps only. */
+export function bestSoFar(trials: readonly Trial[], sign: Sign = 1): [number, number][] {
   const steps: [number, number][] = [];
-  let best = Infinity;
+  let best = sign * Infinity;
   for (const t of trials) {
-    if (!t.feasible || t.objective === null || t.objective >= best) continue;
+    if (!t.feasible || t.objective === null || sign * t.objective >= sign * best) continue;
     best = t.objective;
     steps.push([t.number, best]);
   }
@@ -23,34 +26,19 @@ export function quantile(values: readonly number[], q: number): number {
 }
 
 /** Feasible trials with a value, best first, ties by number. */
-export function ranked(trials: readonly Trial[]): Trial[] {
+export function ranked(trials: readonly Trial[], sign: Sign = 1): Trial[] {
   return trials
     .filter((t) => t.feasible && t.objective !== null)
-    .sort((a, b) => (a.objective ?? 0) - (b.objective ?? 0) || a.number - b.number);
+    .sort((a, b) => sign * ((a.objective ?? 0) - (b.objective ?? 0)) || a.number - b.number);
 }
 
 /** Ranked trials without those whose variables all agree to `digits` significant digits with a cheaper one. */
-export function distinctPlans(trials: readonly Trial[], digits = 3): Trial[] {
+export function distinctPlans(trials: readonly Trial[], sign: Sign = 1, digits = 3): Trial[] {
   const seen = new Set<string>();
-  return ranked(trials).filter((t) => {
+  return ranked(trials, sign).filter((t) => {
     const key = t.values.map((v) => v.toPrecision(digits)).join(' ');
     if (seen.has(key)) return false;
     seen.add(key);
     return true;
   });
-}
-
-/**
- * At most `most` trials that have a value, in order of number: the cheapest half of that number, and an even sample of the
- * others. Points that are coloured one by one take a browser seconds from some ten thousand on.
- */
-export function thinned(trials: readonly Trial[], most: number): Trial[] {
-  const known = trials.filter((t) => t.objective !== null);
-  if (known.length <= most) return known;
-  const byCost = [...known].sort((a, b) => (a.objective ?? 0) - (b.objective ?? 0) || a.number - b.number);
-  const cheap = Math.floor(most / 2);
-  const others = byCost.slice(cheap);
-  const wanted = most - cheap;
-  const sample = Array.from({ length: wanted }, (_, k) => others[Math.floor((k * others.length) / wanted)] as Trial);
-  return [...byCost.slice(0, cheap), ...sample].sort((a, b) => a.number - b.number);
 }

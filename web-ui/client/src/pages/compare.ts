@@ -1,53 +1,75 @@
-// Two runs side by side: b against a, with paired differences when they share their random numbers.
+// Two or more runs side by side: each against the first, with paired differences when they share their random numbers.
 
 import { api } from '../api';
 import { fragment, h, table } from '../dom';
 import { estimateText, unitText } from '../format';
-import { t } from '../i18n';
+import { named, t } from '../i18n';
 import { difference, type Difference } from '../logic/statistics';
-import { section, type PageMaker } from '../page';
-import type { Kpi } from '../types';
+import { changeList, section, type PageMaker } from '../page';
+import type { Kpi, Run } from '../types';
 
-export const comparePage: PageMaker = async (context, [first = '', second = '']) => {
-  const [a, b] = await Promise.all([api.run(first, true, context.signal), api.run(second, true, context.signal)]);
-  const paired = a.seed === b.seed && a.replications === b.replications;
-  interface Row {
-    kpi: Kpi;
-    a: Kpi | undefined;
-    b: Kpi | undefined;
-    difference: Difference | null;
-  }
-  const names = [...new Map([...a.kpis, ...b.kpis].map((k) => [k.name, k])).values()];
+interface Row {
+  kpi: Kpi;
+  of: (Kpi | undefined)[];
+  differences: (Difference | null)[];
+}
+
+export const comparePage: PageMaker = async (context, [list = '']) => {
+  const ids = list.split('/');
+  const runs = await Promise.all(ids.map((id) => api.run(id, true, context.signal)));
+  const base = runs[0] as Run;
+  const others = runs.slice(1);
+  const paired = (run: Run) => run.seed === base.seed && run.replications === base.replications;
+  const names = [...new Map(runs.flatMap((r) => r.kpis).map((k) => [k.name, k])).values()];
   const rows: Row[] = names
     .map((kpi) => {
-      const [x, y] = [a.kpis.find((k) => k.name === kpi.name), b.kpis.find((k) => k.name === kpi.name)];
-      return { kpi, a: x, b: y, difference: x && y ? difference(x.values ?? [], y.values ?? [], paired) : null };
+      const of = runs.map((r) => r.kpis.find((k) => k.name === kpi.name));
+      const a = of[0];
+      return { kpi, of, differences: others.map((run, k) => { const b = of[k + 1]; return a && b ? difference(a.values ?? [], b.values ?? [], paired(run)) : null; }) };
     })
-    // What is nought in both says nothing.
-    .filter((r) => !(r.a?.mean === 0 && r.b?.mean === 0));
-  return {
-    title: t('compare.title', { a: a.id, b: b.id }),
-    body: fragment(
-      h('h1', {}, t('compare.title', { a: a.id, b: b.id })),
-      h('p', {}, h('a', { href: `#/runs/${a.id}` }, t('compare.run', { id: a.id })), `: ${a.scenario}, ${a.label}`, h('br'), h('a', { href: `#/runs/${b.id}` }, t('compare.run', { id: b.id })), `: ${b.scenario}, ${b.label}`),
-      h('p', { class: 'muted' }, paired ? t('compare.paired', { seed: a.seed }) : t('compare.unpaired')),
-      a.currency !== b.currency ? h('p', { class: 'bad' }, t('compare.currency', { a: a.currency, b: b.currency })) : null,
-      section(
-        t('run.all'),
-        '',
-        table<Row>(
-          t('compare.title', { a: a.id, b: b.id }),
-          [
-            { head: t('col.name'), rowHead: true, cell: (r) => h('code', { title: r.kpi.meaning }, r.kpi.name) },
-            { head: t('compare.run', { id: a.id }), number: true, cell: (r) => estimateText(r.a?.mean, r.a?.half_width_95) },
-            { head: t('compare.run', { id: b.id }), number: true, cell: (r) => estimateText(r.b?.mean, r.b?.half_width_95) },
-            { head: t('col.difference'), number: true, cell: (r) => (r.difference ? estimateText(r.difference.mean, r.difference.halfWidth) : '–') },
-            { head: t('col.unit'), cell: (r) => h('span', { class: 'unit' }, unitText(r.kpi.unit) || '1') },
-            { head: `${t('col.verdict')} (95 %)`, cell: (r) => (r.difference ? h('span', { class: `verdict ${r.difference.verdict}` }, t(`compare.${r.difference.verdict}`)) : '–') },
-          ],
-          rows,
-        ),
+    // What is nought in all says nothing.
+    .filter((r) => !r.of.every((k) => k?.mean === 0));
+  const head = others.length === 1 ? t('compare.title', { a: base.id, b: others[0]?.id ?? '' }) : t('compare.many', { n: runs.length });
+  const currencies = [...new Set(runs.map((r) => r.currency))];
+  const place = h('div');
+  const show = (words: string, clear: boolean) => {
+    const wanted = words.toLowerCase().split(/\s+/).filter(Boolean);
+    const shown = rows.filter((r) => wanted.every((w) => `${r.kpi.name} ${r.kpi.meaning} ${named('kpi', r.kpi.name)}`.toLowerCase().includes(w)) && (!clear || r.differences.some((d) => d?.verdict === 'higher' || d?.verdict === 'lower')));
+    place.replaceChildren(
+      table<Row>(
+        head,
+        [
+          { head: t('col.name'), rowHead: true, cell: (r) => h('code', { title: r.kpi.meaning }, r.kpi.name) },
+          ...runs.map((run, k) => ({ head: t('compare.run', { id: run.id }), number: true, cell: (r: Row) => estimateText(r.of[k]?.mean, r.of[k]?.half_width_95), raw: (r: Row) => r.of[k]?.mean })),
+          ...others.map((run, k) => ({
+            head: others.length === 1 ? t('col.difference') : t('compare.against', { a: base.id, b: run.id }),
+            number: true,
+            cell: (r: Row) => { const d = r.differences[k]; return d ? estimateText(d.mean, d.halfWidth) : '–'; },
+            raw: (r: Row) => r.differences[k]?.mean,
+          })),
+          { head: t('col.unit'), cell: (r) => h('span', { class: 'unit' }, unitText(r.kpi.unit) || '1') },
+          ...others.map((_run, k) => ({ head: `${t('col.verdict')} (95 %)`, cell: (r: Row) => { const d = r.differences[k]; return d ? h('span', { class: `verdict ${d.verdict}` }, t(`compare.${d.verdict}`)) : '–'; } })),
+        ],
+        shown,
       ),
+    );
+  };
+  const filter = h('input', { id: 'compare-filter', type: 'search', oninput: () => show(filter.value, only.checked) });
+  const only = h('input', { id: 'compare-clear', type: 'checkbox', onchange: () => show(filter.value, only.checked) });
+  show('', false);
+  return {
+    title: head,
+    body: fragment(
+      h('h1', {}, head),
+      h('p', {}, runs.map((run, k) => [k > 0 ? h('br') : null, h('a', { href: `#/runs/${run.id}` }, t('compare.run', { id: run.id })), `: ${run.scenario}, ${run.label}${changeWords(run)}`])),
+      h('p', { class: 'muted' }, others.every(paired) ? t('compare.paired', { seed: base.seed }) : t('compare.unpaired')),
+      currencies.length > 1 ? h('p', { class: 'bad' }, t('compare.currency', { a: currencies[0] ?? '', b: currencies[1] ?? '' })) : null,
+      section(t('run.all'), '', h('p', { class: 'row no-print' }, h('label', { for: 'compare-filter' }, t('run.filter')), filter, h('label', {}, only, ' ', t('compare.onlyClear'))), place),
     ),
   };
 };
+
+function changeWords(run: Run): string {
+  const list = changeList(run.changes);
+  return list.length > 0 ? ` (${list.map((c) => `${c.pointer} = ${c.value}`).join(', ').slice(0, 200)})` : '';
+}

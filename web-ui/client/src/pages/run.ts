@@ -1,6 +1,6 @@
 // One run: tiles, where the time went, tools, the cost of a part, and every indicator.
 
-import { api } from '../api';
+import { api, ApiError } from '../api';
 import { chart } from '../charts/chart';
 import { barName, bridgeOption } from '../charts/costBridge';
 import { colourOf } from '../charts/theme';
@@ -9,10 +9,12 @@ import { fragment, h, table, type Child } from '../dom';
 import { dateTime, estimate, estimateText, fixed, unitText, whole } from '../format';
 import { named, t } from '../i18n';
 import { costBridge } from '../logic/bridge';
-import { entities, extreme, find, lastStep, machineTimes } from '../logic/kpis';
+import { entities, entityKinds, extreme, find, lastStep, machineTimes } from '../logic/kpis';
+import { oeeRows, type OeeRow } from '../logic/oee';
 import { roundKeepingSum } from '../logic/shares';
-import { changeList, command, downloadButton, section, type PageContext, type PageMaker } from '../page';
-import type { Kpi, Run } from '../types';
+import { annotationEditor, changeList, command, downloadButton, section, type PageContext, type PageMaker } from '../page';
+import type { Job, Kpi, Run } from '../types';
+import { jobPanel } from '../ui/job';
 
 function tile(id: string, label: string, kpi: Kpi | undefined, unit: string, scale: number, below: Child): HTMLElement | null {
   if (!kpi) return null;
@@ -64,7 +66,7 @@ function timeSection(context: PageContext, run: Run): HTMLElement {
     percent: roundKeepingSum(states.map((state) => 100 * (m.states.find((s) => s.state === state)?.kpi.mean ?? 0)), 1),
   }));
   const label = rows.map((r) => `${r.machine}: ${states.map((s, k) => `${named('state', s)} ${fixed(r.percent[k] ?? 0, 1)} %`).join(', ')}`).join('; ');
-  const bars = chart(context, label, rows.length > 6 ? 'tall' : rows.length > 3 ? 'medium' : 'short', (theme) => timeBars(states, rows, theme));
+  const bars = chart(context, label, rows.length > 6 ? 'tall' : rows.length > 3 ? 'medium' : 'short', (theme) => timeBars(states.map((s) => named('state', s)), rows, theme, states), { name: t('run.time'), data: () => [[t('col.machine'), ...states], ...machines.map((m) => [m.machine, ...states.map((st) => m.states.find((x) => x.state === st)?.kpi.mean ?? 0)])] });
   return section(
     t('run.time'),
     t('run.timeUnit'),
@@ -83,21 +85,22 @@ function timeSection(context: PageContext, run: Run): HTMLElement {
 
 const shareKeys = new Set(['insert_cycle_availability', 'waiting_crew_share', 'failure_share', 'utilization', 'availability']);
 
-function toolSection(run: Run): HTMLElement {
-  const tools = entities(run.kpis, 'tool');
-  if (tools.length === 0) return section(t('run.tools'), '', h('p', {}, t('run.noTools')));
+/** One table for the tools, the crews, or whatever else the run has indicators of. */
+function entitySection(run: Run, kind: string, head: string): HTMLElement {
+  const tools = entities(run.kpis, kind);
   const keys = [...new Set(tools.flatMap((e) => e.kpis.map((k) => k.key)))];
   // One tool reads best down the page, several side by side.
   return section(
-    t('run.tools'),
+    head,
     t('run.toolsUnit'),
     table(
-      t('run.tools'),
+      head,
       [
         { head: t('col.name'), rowHead: true, cell: (key: string) => named('kpi', key) },
         ...tools.map((tool) => ({
           head: tool.name,
           number: true,
+          raw: (key: string) => tool.kpis.find((k) => k.key === key)?.kpi.mean,
           cell: (key: string) => {
             const kpi = tool.kpis.find((k) => k.key === key)?.kpi;
             return kpi ? h('span', { title: kpi.meaning }, estimateText(kpi.mean, kpi.half_width_95, shareKeys.has(key) ? 100 : 1)) : '–';
@@ -110,13 +113,74 @@ function toolSection(run: Run): HTMLElement {
   );
 }
 
+function toolSection(run: Run): HTMLElement {
+  if (entities(run.kpis, 'tool').length === 0) return section(t('run.tools'), '', h('p', {}, t('run.noTools')));
+  return entitySection(run, 'tool', t('run.tools'));
+}
+
+/** Overall effectiveness: what each of the three factors takes, as shares of the planned time. */
+function oeeSection(context: PageContext, run: Run): HTMLElement | null {
+  const rows = oeeRows(run.kpis);
+  if (rows.length === 0) return null;
+  const label = rows.map((r) => `${r.name}: OEE ${fixed(100 * r.oee, 1)} %`).join('; ');
+  const parts: [string, (r: OeeRow) => number][] = [
+    [t('oee.good'), (r) => r.oee],
+    [t('oee.quality'), (r) => r.qualityLoss],
+    [t('oee.speed'), (r) => r.speedLoss],
+    [t('oee.availability'), (r) => r.availabilityLoss],
+  ];
+  const percent = rows.map((r) => roundKeepingSum(parts.map(([, f]) => 100 * f(r)), 1));
+  const picture = chart(context, label, rows.length > 6 ? 'tall' : 'medium', (theme) => timeBars(parts.map(([name]) => name), rows.map((r, k) => ({ machine: r.name, percent: percent[k] ?? [] })), theme), { name: 'OEE' });
+  return section(
+    t('oee.title'),
+    '%',
+    picture.element,
+    table<OeeRow>('OEE', [
+      { head: t('col.name'), rowHead: true, cell: (r) => r.name },
+      ...oeeFactors(),
+      { head: 'OEE', unit: '%', number: true, cell: (r) => h('span', { title: 'OEE = availability · effectiveness · quality ratio (ISO 22400-2)' }, fixed(100 * r.oee, 1)), raw: (r) => 100 * r.oee },
+      ...parts.slice(1).map(([name, f]) => ({ head: name, unit: '%', number: true, cell: (r: OeeRow) => fixed(100 * f(r), 1), raw: (r: OeeRow) => 100 * f(r) })),
+    ], rows),
+  );
+}
+function oeeFactors() {
+  return (['availability', 'effectiveness', 'quality'] as const).map((factor) => ({
+    head: t(`oee.factor.${factor}`),
+    unit: '%',
+    number: true,
+    cell: (r: OeeRow) => h('span', { title: r.kpis[factor]?.meaning ?? '' }, fixed(100 * r[factor], 1)),
+    raw: (r: OeeRow) => 100 * r[factor],
+  }));
+}
+
+/** Repeats the run from what stands beside it and compares every value of every replication. */
+function againSection(context: PageContext, run: Run): HTMLElement {
+  const place = h('div', { id: 'again' });
+  const button = h('button', { type: 'button', id: 'compute-again', class: 'quiet', onclick: () => {
+    button.disabled = true;
+    api.startJob({ kind: 'again', run: run.id }).then(
+      (job) => place.replaceChildren(jobPanel(context, job, (end) => { button.disabled = false; place.append(verdictOf(end)); })),
+      (e: unknown) => { button.disabled = false; place.replaceChildren(h('p', { class: 'bad', role: 'alert' }, e instanceof ApiError && e.message ? e.message : t('state.offline'))); },
+    );
+  } }, t('again.button'));
+  return h('div', { class: 'no-print' }, button, place);
+}
+function verdictOf(job: Job): HTMLElement {
+  const r = job.result;
+  if (!r || r.identical === undefined) return h('p');
+  return h('p', { class: r.identical ? 'good' : 'bad', 'data-identical': String(r.identical) },
+    r.identical
+      ? t('again.same', { values: whole(r.values ?? 0), run: r.run ?? '' })
+      : t('again.different', { different: whole(r.different ?? 0), values: whole(r.values ?? 0), where: r.first_difference ?? '', versions: (r.versions ?? []).join(' / '), platforms: (r.platforms ?? []).join(' / ') }));
+}
+
 function costSection(context: PageContext, run: Run): HTMLElement {
   const bars = costBridge(run.kpis);
   const head = t('run.costUnit', { currency: run.currency });
   if (!bars) return section(t('run.cost'), '', h('p', {}, t('run.noParts')));
   const total = bars.find((b) => b.key === 'cost_per_part')?.to ?? 0;
   const shares = roundKeepingSum(bars.filter((b) => !b.total && b.key !== 'scrapped_parts').map((b) => (100 * (b.to - b.from)) / total), 1, 100);
-  const picture = chart(context, bars.map((b) => `${barName(b)} ${fixed(b.printed, 2)}`).join(', '), 'medium', (theme) => bridgeOption(bars, run.currency, theme));
+  const picture = chart(context, bars.map((b) => `${barName(b)} ${fixed(b.printed, 2)}`).join(', '), 'medium', (theme) => bridgeOption(bars, run.currency, theme), { name: t('run.cost'), data: () => [[t('col.component'), run.currency, t('col.half')], ...bars.map((b) => [barName(b), b.total ? b.to : b.to - b.from, b.kpi?.half_width_95])] });
   return section(
     t('run.cost'),
     head,
@@ -145,8 +209,8 @@ function allSection(run: Run): HTMLElement {
         t('run.all'),
         [
           { head: t('col.name'), rowHead: true, cell: (k) => h('code', {}, k.name) },
-          { head: t('col.mean'), number: true, cell: (k) => estimate(k.mean, k.half_width_95).mean },
-          { head: t('col.half'), number: true, cell: (k) => estimate(k.mean, k.half_width_95).half || '–' },
+          { head: t('col.mean'), number: true, cell: (k) => estimate(k.mean, k.half_width_95).mean, raw: (k) => k.mean },
+          { head: t('col.half'), number: true, cell: (k) => estimate(k.mean, k.half_width_95).half || '–', raw: (k) => k.half_width_95 },
           { head: t('col.unit'), cell: (k) => h('span', { class: 'unit' }, unitText(k.unit) || '1') },
           { head: t('col.samples'), number: true, cell: (k) => whole(k.samples) },
           { head: t('col.meaning'), cell: (k) => h('span', { class: 'muted' }, k.meaning) },
@@ -176,7 +240,7 @@ function allSection(run: Run): HTMLElement {
 }
 
 export const runPage: PageMaker = async (context, [id = '']) => {
-  const run = await api.run(id, false, context.signal);
+  const [run, version] = await Promise.all([api.run(id, false, context.signal), api.version(context.signal)]);
   const changes = changeList(run.changes);
   return {
     title: `${t('run.title', { id: run.id })}: ${run.scenario}`,
@@ -192,9 +256,13 @@ export const runPage: PageMaker = async (context, [id = '']) => {
       changes.length > 0
         ? h('p', { class: 'facts' }, `${t('run.changes')}: `, changes.map((c, k) => [k > 0 ? ', ' : '', h('code', {}, c.value ? `${c.pointer} = ${c.value}` : c.pointer)]))
         : null,
+      h('p', { class: 'row no-print' }, h('a', { href: `#/scenario/run/${run.id}`, class: 'button' }, t('run.change')), h('a', { href: `#/sheet/${run.id}` }, t('sheet.title')), h('a', { href: `#/trace/${run.id}` }, t('nav.trace')), version.read_only ? null : againSection(context, run)),
+      annotationEditor('runs', run.id, run, version.read_only),
       tiles(run),
       h('div', { class: 'columns' }, timeSection(context, run), toolSection(run)),
       costSection(context, run),
+      oeeSection(context, run),
+      entityKinds(run.kpis).filter((kind) => kind !== 'tool' && kind !== 'machine' && kind !== 'cost').map((kind) => entitySection(run, kind, named('entity', kind))),
       allSection(run),
     ),
   };

@@ -1,0 +1,229 @@
+#pragma once
+// A server over a real socket for tests, and a client written with plain sockets, so that it can misbehave.
+
+#include <cerrno>
+#include <chrono>
+#include <filesystem>
+#include <fstream>
+#include <optional>
+#include <regex>
+#include <thread>
+
+#include <arpa/inet.h>
+#include <fmt/format.h>
+#include <netinet/in.h>
+#include <nlohmann/json.hpp>
+#include <sys/socket.h>
+#include <unistd.h>
+
+#include "store/database.h"
+#include "web-ui/server/http.h"
+#include "web-ui/server/site.h"
+
+namespace verstat::web_test {
+
+using nlohmann::json;
+
+class Socket {
+ public:
+  explicit Socket(std::uint16_t port) : descriptor_(::socket(AF_INET, SOCK_STREAM, 0)) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_port = htons(port);
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    // A test that waits for ever tells nothing.
+    const timeval patience{10, 0};
+    ::setsockopt(descriptor_, SOL_SOCKET, SO_RCVTIMEO, &patience, sizeof patience);
+    ::setsockopt(descriptor_, SOL_SOCKET, SO_SNDTIMEO, &patience, sizeof patience);
+    connected_ = ::connect(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof address) == 0;
+  }
+  Socket(const Socket&) = delete;
+  Socket& operator=(const Socket&) = delete;
+  ~Socket() { ::close(descriptor_); }
+
+  [[nodiscard]] bool connected() const { return connected_; }
+  /// False when the peer has hung up.
+  bool send(std::string_view data) const {
+    while (!data.empty()) {
+      const auto sent = ::send(descriptor_, data.data(), data.size(), MSG_NOSIGNAL);
+      if (sent <= 0) return false;
+      data.remove_prefix(static_cast<std::size_t>(sent));
+    }
+    return true;
+  }
+  /// Up to the end of the connection.
+  [[nodiscard]] std::string read_all() const {
+    std::string all;
+    while (read_some(all)) continue;
+    return all;
+  }
+  /// What comes next, at least a byte unless the peer has hung up.
+  [[nodiscard]] std::string read_piece() const {
+    std::string piece;
+    read_some(piece);
+    return piece;
+  }
+  /// One answer of a connection that stays open.
+  [[nodiscard]] std::string read_answer() const {
+    std::string all;
+    static const std::regex length("Content-Length: (\\d+)");
+    for (;;) {
+      const auto end = all.find("\r\n\r\n");
+      std::smatch match;
+      if (end != std::string::npos && std::regex_search(all, match, length) &&
+          all.size() >= end + 4 + std::stoul(match[1]))
+        return all;
+      if (!read_some(all)) return all;
+    }
+  }
+
+ private:
+  bool read_some(std::string& all) const {
+    char piece[8192];
+    // A child that ends may interrupt the call.
+    ssize_t size = 0;
+    do size = ::recv(descriptor_, piece, sizeof piece, 0);
+    while (size < 0 && errno == EINTR);
+    if (size > 0) all.append(piece, static_cast<std::size_t>(size));
+    return size > 0;
+  }
+  int descriptor_;
+  bool connected_ = false;
+};
+
+struct Answer {
+  int status = 0;
+  std::map<std::string, std::string> headers;
+  std::string body;
+  [[nodiscard]] json parsed() const { return json::parse(body); }
+  [[nodiscard]] std::string message() const { return parsed().at("error").at("message"); }
+};
+
+inline Answer parse_answer(const std::string& text) {
+  Answer answer;
+  const auto end = text.find("\r\n\r\n");
+  if (text.size() < 12 || end == std::string::npos) return answer;
+  answer.status = std::stoi(text.substr(9, 3));
+  std::size_t at = text.find("\r\n") + 2;
+  while (at < end) {
+    const auto stop = text.find("\r\n", at);
+    const auto colon = text.find(": ", at);
+    answer.headers[text.substr(at, colon - at)] = text.substr(colon + 2, stop - colon - 2);
+    at = stop + 2;
+  }
+  answer.body = text.substr(end + 4);
+  return answer;
+}
+
+inline store::Run example_run(int number) {
+  store::Run run;
+  run.header = {.label = fmt::format("run <{}> \"quoted\"", number),
+                .scenario_name = "Cell",
+                .changes = R"([{"pointer": "/seed", "value": 0.1}])",
+                .seed = 18446744073709551615U,
+                .replications = 2,
+                .horizon_min = 1000,
+                .warmup_min = 100,
+                .elapsed_s = 0.1,
+                .provenance = {"0.1", "test", "2026-01-02T03:04:05Z"}};
+  run.scenario_text = "{}";
+  run.currency = "UAH";
+  run.kpis.push_back({.kpi = {"cost_per_part", "UAH", "cost"},
+                      .mean = 0.1 + 0.2 * number,
+                      .half_width = 1.0 / 3,
+                      .samples = 2});
+  run.kpis.push_back({.kpi = {"throughput_per_h", "parts/h", "rate"},
+                      .mean = std::nullopt,
+                      .half_width = std::nullopt,
+                      .samples = 0});
+  run.values = {{1.5, std::nullopt}, {2.5, std::nullopt}};
+  return run;
+}
+
+inline constexpr int run_count = 7;
+
+inline constexpr web::Asset test_pages[] = {
+    {"/index.html", "text/html; charset=utf-8", "aaaa", false, "<p>plain</p>", "gzipped"},
+    {"/assets/x-1.js", "text/javascript; charset=utf-8", "bbbb", true, "1;", ""}};
+
+/// A database of runs and one study, and a server on a free port, ended with the test.
+class Serving {
+ public:
+  /// With a `script` (of the shell) jobs are started by it in place of the program.
+  explicit Serving(web::HttpOptions options = {}, const std::string& token = "",
+                   const std::string& script = "")
+      : folder_(std::filesystem::temp_directory_path() / fmt::format("verstat-web-{}", ::getpid())) {
+    std::filesystem::create_directories(folder_);
+    std::filesystem::remove(file());
+    {
+      store::Writer writer(file());
+      for (int k = 1; k <= run_count; ++k) writer.add_run(example_run(k));
+      store::Study study;
+      study.header = {.name = "Study",
+                      .scenario_name = "Cell",
+                      .status = "running",
+                      .objective = "cost_per_part",
+                      .seed = 7,
+                      .provenance = {"0.1", "test", "2026-01-02T03:04:05Z"}};
+      study.changes = "[]";
+      study.study_text = "{}";
+      study.scenario_text = "{}";
+      study.variables = {{"speed", "/v", "m/min", 20, 120}};
+      const auto id = writer.begin_study(study);
+      writer.add_trials(id, {{.number = 1, .stage = "analytic", .values = {1.0 / 3}, .objective = 125.4}});
+      writer.finish_study(id, 1, 2, R"({"words": "saves"})", "finished");
+    }
+    options.port = 0;
+    std::filesystem::remove(file().string() + ".notes");
+    std::shared_ptr<web::Jobs> jobs;
+    if (!script.empty()) {
+      const auto program = folder_ / "program.sh";
+      std::ofstream(program) << "#!/bin/sh\n" << script;
+      std::filesystem::permissions(program, std::filesystem::perms::owner_all);
+      jobs = std::make_shared<web::Jobs>(program);
+    }
+    site_.emplace(web::Api(file(), "9.9", jobs), test_pages);
+    server_.emplace(options, [this](const web::Request& request) { return site_->answer(guard_, request); });
+    guard_ = web::guard_for("127.0.0.1", true, server_->port(), token);
+    thread_ = std::jthread([this] { server_->run(false); });
+  }
+  Serving(const Serving&) = delete;
+  Serving& operator=(const Serving&) = delete;
+  ~Serving() {
+    server_->stop();
+    thread_.join();
+    std::error_code ignored;
+    std::filesystem::remove_all(folder_, ignored);
+  }
+
+  [[nodiscard]] std::filesystem::path file() const { return folder_ / "results.db"; }
+  [[nodiscard]] std::uint16_t port() const { return server_->port(); }
+  [[nodiscard]] std::string host() const { return fmt::format("127.0.0.1:{}", port()); }
+
+  [[nodiscard]] Answer raw(const std::string& text) const {
+    const Socket socket(port());
+    socket.send(text);
+    return parse_answer(socket.read_all());
+  }
+  [[nodiscard]] Answer get(const std::string& target, const std::string& more = "",
+                           const std::string& method = "GET") const {
+    return raw(fmt::format("{} {} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n{}\r\n", method, target,
+                           host(), more));
+  }
+  [[nodiscard]] Answer post(const std::string& target, const std::string& body,
+                            const std::string& more = "X-Verstat: 1\r\nContent-Type: application/json\r\n",
+                            const std::string& method = "POST") const {
+    return raw(
+        fmt::format("{} {} HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n{}Content-Length: {}\r\n\r\n{}",
+                    method, target, host(), more, body.size(), body));
+  }
+
+ private:
+  std::filesystem::path folder_;
+  web::Guard guard_;
+  std::optional<web::Site> site_;
+  std::optional<web::HttpServer> server_;
+  std::jthread thread_;
+};
+
+}  // namespace verstat::web_test

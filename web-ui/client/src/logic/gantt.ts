@@ -1,0 +1,121 @@
+// The trace of one replication as rows of state intervals, cut to a window and thinned to pixels before it is drawn.
+
+export type Interval = [start: number, end: number, state: string];
+export interface TraceRow {
+  name: string;
+  intervals: Interval[];
+}
+export interface QueueSeries {
+  name: string;
+  /** [time in minutes, waiting from then on] */
+  points: [number, number][];
+}
+export interface Trace {
+  queues: QueueSeries[];
+  rows: TraceRow[];
+  end: number;
+  states: string[];
+}
+
+/** Reads {"machines": [{"name", "intervals": [[start_min, end_min, "state"], ...]}]}; other lists of the same form (tools, crews) are taken, too, and "queues": [[name, at_min, waiting], ...]. Throws an Error that names the place. */
+export function readTrace(json: unknown): Trace {
+  if (typeof json !== 'object' || json === null || Array.isArray(json)) throw new Error('the trace must be an object with "machines"');
+  const rows: TraceRow[] = [];
+  for (const [group, list] of Object.entries(json)) {
+    if (!Array.isArray(list) || group === 'queues') continue;
+    list.forEach((entry: unknown, k) => {
+      const e = entry as { name?: unknown; intervals?: unknown };
+      if (typeof e?.name !== 'string' || !Array.isArray(e.intervals)) {
+        if (group === 'machines') throw new Error(`/${group}/${k}: needs "name" and "intervals"`);
+        return;
+      }
+      let before = -Infinity;
+      const intervals = e.intervals.map((i: unknown, j): Interval => {
+        const [start, end, state] = Array.isArray(i) ? (i as unknown[]) : [];
+        if (typeof start !== 'number' || typeof end !== 'number' || typeof state !== 'string' || !(end >= start) || start < before)
+          throw new Error(`/${group}/${k}/intervals/${j}: must be [start_min, end_min, "state"], in order of time`);
+        before = start;
+        return [start, end, state];
+      });
+      rows.push({ name: e.name, intervals });
+    });
+  }
+  if (rows.length === 0) throw new Error('the trace has no "machines" with intervals');
+  const queues = new Map<string, [number, number][]>();
+  const given = (json as { queues?: unknown }).queues;
+  for (const entry of Array.isArray(given) ? (given as unknown[]) : []) {
+    const [name, time, waiting] = Array.isArray(entry) ? (entry as unknown[]) : [];
+    if (typeof name !== 'string' || typeof time !== 'number' || typeof waiting !== 'number') throw new Error('/queues: each entry must be [name, at_min, waiting]');
+    const points = queues.get(name);
+    if (points) points.push([time, waiting]);
+    else queues.set(name, [[time, waiting]]);
+  }
+  return { queues: [...queues].map(([name, points]) => ({ name, points })), rows, end: Math.max(...rows.map((r) => r.intervals.at(-1)?.[1] ?? 0)), states: [...new Set(rows.flatMap((r) => r.intervals.map((i) => i[2])))] };
+}
+
+/** First interval that ends after `time` (binary search; intervals are in order). */
+export function firstAfter(intervals: readonly Interval[], time: number): number {
+  let [low, high] = [0, intervals.length];
+  while (low < high) {
+    const mid = (low + high) >> 1;
+    if ((intervals[mid]?.[1] ?? 0) > time) high = mid;
+    else low = mid + 1;
+  }
+  return low;
+}
+
+export interface Bar {
+  x: number;
+  width: number;
+  /** Part of the row's height, from the top: all of it, or a state's share of a pixel. */
+  top: number;
+  height: number;
+  state: string;
+}
+
+/**
+ * Bars of one row within [from, to] over `pixels`. What is shorter than a pixel shares one with its neighbours, each state
+ * with its part of the height: a year takes no more bars than pixels times states, and areas are shares of the time.
+ */
+export function bars(row: TraceRow, from: number, to: number, pixels: number): Bar[] {
+  const scale = pixels / (to - from);
+  const all: Bar[] = [];
+  const shares = new Map<string, number>();
+  let [begin, end] = [0, 0]; // of the stretch that is being gathered
+  const flush = () => {
+    let top = 0;
+    for (const [state, share] of shares) {
+      all.push({ x: begin, width: end - begin, top, height: share / (end - begin), state });
+      top += share / (end - begin);
+    }
+    shares.clear();
+  };
+  for (let k = firstAfter(row.intervals, from); k < row.intervals.length; ++k) {
+    const [start, stop, state] = row.intervals[k] as Interval;
+    if (start >= to) break;
+    const x0 = (Math.max(start, from) - from) * scale;
+    const x1 = (Math.min(stop, to) - from) * scale;
+    if (x1 <= x0) continue;
+    if (shares.size > 0 && (x1 - x0 >= 1 || x1 - begin > 1 || x0 > end)) flush();
+    if (x1 - x0 >= 1) {
+      all.push({ x: x0, width: x1 - x0, top: 0, height: 1, state });
+      continue;
+    }
+    if (shares.size === 0) begin = x0;
+    end = x1;
+    shares.set(state, (shares.get(state) ?? 0) + (x1 - x0));
+  }
+  flush();
+  return all;
+}
+
+/** Share of the time within [from, to] per state. */
+export function stateShares(row: TraceRow, from: number, to: number): Map<string, number> {
+  const shares = new Map<string, number>();
+  for (let k = firstAfter(row.intervals, from); k < row.intervals.length; ++k) {
+    const [start, end, state] = row.intervals[k] as Interval;
+    if (start >= to) break;
+    shares.set(state, (shares.get(state) ?? 0) + (Math.min(end, to) - Math.max(start, from)) / (to - from));
+  }
+  return shares;
+}
