@@ -34,6 +34,10 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
       .add_option("--set", options.set,
                   "change one value: POINTER=VALUE, for instance /machines/0/count=3; may be repeated")
       ->allow_extra_args(false);
+  command
+      .add_option("--changes", options.changes,
+                  "make the changes of this file, as verstat fit --out writes it; may be repeated")
+      ->allow_extra_args(false);
 }
 
 namespace {
@@ -49,6 +53,29 @@ Number whole(const std::string& flag, const std::string& text, Number low, Numbe
   return value;
 }
 
+// [{"pointer", "value"}, ...], or an object that holds such a list under "changes".
+std::vector<Change> changes_in(const std::string& file) {
+  const auto refuse = [&](const std::string& text) {
+    throw UsageError(fmt::format("--changes {}: {}", file, text));
+  };
+  nlohmann::json j;
+  try {
+    j = scenarios::parse_json(scenarios::read_text_file(file));
+  } catch (const InputError& e) {
+    refuse(e.what());
+  }
+  const nlohmann::json& list = j.is_object() && j.contains("changes") ? j["changes"] : j;
+  if (!list.is_array()) refuse("must hold a list of {\"pointer\": ..., \"value\": ...}");
+  std::vector<Change> changes;
+  for (const nlohmann::json& one : list) {
+    if (!one.is_object() || one.size() != 2 || !one.contains("value") || !one.contains("pointer") ||
+        !one["pointer"].is_string())
+      refuse(fmt::format("change {} must be {{\"pointer\": ..., \"value\": ...}}", changes.size()));
+    changes.push_back({one["pointer"].get<std::string>(), one["value"]});
+  }
+  return changes;
+}
+
 }  // namespace
 
 int thread_count(const CommonOptions& options) {
@@ -58,6 +85,8 @@ int thread_count(const CommonOptions& options) {
 
 std::vector<Change> changes_of(const CommonOptions& options) {
   std::vector<Change> changes;
+  for (const std::string& file : options.changes)
+    for (Change& change : changes_in(file)) changes.push_back(std::move(change));
   for (const std::string& text : options.set) changes.push_back(scenarios::parse_change(text));
   const auto setting = [&](const char* member, nlohmann::json value) {
     changes.push_back({fmt::format("/simulation/{}", member), std::move(value)});
@@ -124,6 +153,8 @@ int run_program(int argc, char** argv) {
   add_plan(program);
   add_models(program);
   add_runs(program);
+  add_fit(program);
+  add_calibrate(program);
   add_serve(program);
   add_schema(program);
   try {

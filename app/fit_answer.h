@@ -1,0 +1,17 @@
+#pragma once
+// How fit and calibrate answer.
+
+#include <string>
+
+#include "fit/report.h"
+
+namespace verstat::app {
+
+/// The number of a flag. Throws UsageError naming the flag, the text and the range.
+[[nodiscard]] double real_flag(const std::string& flag, const std::string& text, double low, double high);
+/// File, date and version; the fit fills in the rest.
+[[nodiscard]] fit::Origin origin_now(const std::string& file);
+/// Prints the report as text or JSON, and writes its changes to `out` when that is not empty.
+void answer(const fit::Report& report, bool json, const std::string& out);
+
+}  // namespace verstat::app
