@@ -281,6 +281,7 @@ Table parse_table(std::string file, std::string_view bytes, const TableOptions& 
   const std::vector<Record> records = split_records(table.file, text, separator);
   std::size_t k = 0;
   while (k < records.size() && blank(records[k])) ++k;
+  if (k == records.size()) refuse(table.file, "has no header; the first line must name the columns");
   for (const std::string& cell : records[k].cells) table.columns.push_back(column_of(cell));
   // Spreadsheets leave empty columns at the right.
   while (table.columns.size() > 1 && table.columns.back().header.empty()) table.columns.pop_back();

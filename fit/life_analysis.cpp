@@ -155,7 +155,7 @@ std::optional<BatchReport> compare_batches(const std::vector<Observation>& lives
     }
     const Question coefficient{
         Eigen::VectorXd::Unit(static_cast<Eigen::Index>(k), static_cast<Eigen::Index>(j)), 0};
-    const ProfileBounds b = profile_bounds(law, data, *best, coefficient, confidence);
+    const ProfileBounds b = profile_bounds(law, data, *best, coefficient, likelihood_drop(confidence));
     report.ratios[j].life_ratio = {std::exp(b.estimate), {std::exp(b.low), std::exp(b.high)}};
   }
   return report;

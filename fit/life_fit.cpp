@@ -343,7 +343,7 @@ LifeRanking rank_laws(const std::vector<Observation>& lives) {
 
 Interval life_bounds(const FittedLaw& law, const std::vector<Observation>& lives, LifeQuantity quantity,
                      double confidence, double p) {
-  const double drop = chi_square_quantile(confidence, 1) / 2;
+  const double drop = likelihood_drop(confidence);
   const LifeFamily family = law.family;
   const bool exponential = family == LifeFamily::exponential;
   if (quantity == LifeQuantity::second && exponential) return {1, 1};
@@ -356,8 +356,7 @@ Interval life_bounds(const FittedLaw& law, const std::vector<Observation>& lives
     Question question{Eigen::VectorXd::Ones(1), 0};
     if (quantity == LifeQuantity::quantile) question.z = standard_quantile(error_law(family), p);
     if (quantity == LifeQuantity::second) question = {};
-    const ProfileBounds b =
-        profile_bounds(error_law(family), prepared.data, fit, question, confidence, sigma);
+    const ProfileBounds b = profile_bounds(error_law(family), prepared.data, fit, question, drop, sigma);
     if (quantity == LifeQuantity::second)
       return family == LifeFamily::weibull ? Interval{1 / b.high, 1 / b.low} : Interval{b.low, b.high};
     const bool raw =

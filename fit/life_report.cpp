@@ -133,8 +133,8 @@ Report report_lives(const RemovalLog& log, const LifeAnalysisOptions& options, c
         fmt::format("{}: {} edges, {} failures ({} known only to an interval), {} still good when "
                     "taken out",
                     title, a.edges, a.failures, a.intervals, a.edges - a.failures));
-    report.lines.push_back(fmt::format("  {:<12}{:>10}{:>10}{:>8}{:>14}{:>10}{:>10}", "law", "mean", "CV",
-                                       "AICc", "ln likelihood", "fit p", ""));
+    report.lines.push_back(fmt::format("  {:<12}{:>10}{:>10}{:>8}{:>14}{:>10}", "law", "mean", "CV", "AICc",
+                                       "ln likelihood", "fit p"));
     ordered_json laws = ordered_json::array();
     for (const LawReport& one : a.laws) {
       ordered_json l = law_json(one.law);

@@ -177,14 +177,19 @@ VectorXd maximize(ErrorLaw law, const CensoredData& data, VectorXd theta, const 
       step = (-l.hessian).ldlt().solve(l.gradient);
     }
     double gain = l.gradient.dot(step);  // twice what a full step of a quadratic would bring
-    if (!step.allFinite() || !(gain >= 0)) {
+    const bool newton = step.allFinite() && gain >= 0;
+    if (!newton) {
       // A flat or badly scaled place: along the gradient instead.
       step = l.gradient;
       if (condition) step -= *condition * (condition->dot(step) / condition->squaredNorm());
       step *= 1 / std::max(1.0, step.norm());
       gain = l.gradient.dot(step);
     }
-    if (gain <= 1e-13 * std::max(1.0, std::abs(l.value))) return theta;
+    if (gain <= 1e-13 * std::max(1.0, std::abs(l.value))) {
+      // Quadratic convergence: the last step, too small to show in the likelihood, still doubles the digits.
+      if (newton) theta += step;
+      return theta;
+    }
     double fraction = 1;
     VectorXd next = theta + step;
     double value = value_at(law, data, next);
@@ -302,10 +307,18 @@ RegressionFit fit_regression(ErrorLaw law, const CensoredData& data, std::option
   return fit_of(law, data, maximize(law, data, theta, condition), sigma.has_value());
 }
 
+double likelihood_drop(double confidence) {
+  return chi_square_quantile(confidence, 1) / 2;
+}
+
+double likelihood_drop(double confidence, double observations, double degrees) {
+  const double t = student_quantile(confidence, degrees);
+  return observations / 2 * std::log1p(t * t / degrees);
+}
+
 ProfileBounds profile_bounds(ErrorLaw law, const CensoredData& data, const RegressionFit& fit,
-                             const Question& question, double confidence, std::optional<double> sigma) {
+                             const Question& question, double drop, std::optional<double> sigma) {
   const auto p = data.x.cols();
-  const double drop = chi_square_quantile(confidence, 1) / 2;
   const bool of_sigma = question.x.size() == 0;
   const VectorXd theta = theta_of(fit);
   ProfileBounds bounds;

@@ -56,16 +56,22 @@ struct Question {
   Eigen::VectorXd x;
   double z = 0;
 };
-/// Bounds of the answer by profile likelihood: where twice the drop of the log-likelihood reaches the
-/// chi-square quantile with one degree of freedom. A bound is infinite (0 for sigma) when the likelihood
-/// never drops that far.
+/// How far the log-likelihood falls at a bound: half the chi-square quantile with one degree of freedom.
+[[nodiscard]] double likelihood_drop(double confidence);
+/// The same for a regression with `observations` exact y and normal errors, of which `degrees` are left after
+/// the coefficients: n/2 ln(1 + t^2 / degrees), which makes profile bounds of coefficients Student's exact
+/// intervals. For censored y an approximation that is right in the limit.
+[[nodiscard]] double likelihood_drop(double confidence, double observations, double degrees);
+
+/// Bounds of the answer by profile likelihood: where the log-likelihood has fallen by `drop`. A bound is
+/// infinite (0 for sigma) when the likelihood never drops that far.
 struct ProfileBounds {
   double estimate = 0;
   double low = 0;
   double high = 0;
 };
 [[nodiscard]] ProfileBounds profile_bounds(ErrorLaw law, const CensoredData& data, const RegressionFit& fit,
-                                           const Question& question, double confidence,
+                                           const Question& question, double drop,
                                            std::optional<double> sigma = std::nullopt);
 
 }  // namespace verstat::fit

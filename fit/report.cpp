@@ -1,5 +1,6 @@
 #include "fit/report.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include <fmt/format.h>
@@ -36,9 +37,18 @@ std::string with_bounds(double estimate, const Interval& interval) {
   return fmt::format("{} ({} to {})", plain(estimate), plain(interval.low), plain(interval.high));
 }
 
+namespace {
+std::vector<DroppedRow> by_line(std::vector<DroppedRow> dropped) {
+  std::stable_sort(dropped.begin(), dropped.end(),
+                   [](const auto& a, const auto& b) { return a.line < b.line; });
+  return dropped;
+}
+}  // namespace
+
 ordered_json table_json(const Table& table, std::size_t rows_used) {
   ordered_json dropped = ordered_json::array();
-  for (const DroppedRow& row : table.dropped) dropped.push_back({{"line", row.line}, {"reason", row.reason}});
+  for (const DroppedRow& row : by_line(table.dropped))
+    dropped.push_back({{"line", row.line}, {"reason", row.reason}});
   return {{"file", table.file},
           {"rows_in_file", table.rows_in_file},
           {"rows_used", rows_used},
@@ -49,7 +59,7 @@ ordered_json table_json(const Table& table, std::size_t rows_used) {
 void add_table_lines(std::vector<std::string>& lines, const Table& table, std::size_t rows_used) {
   lines.push_back(fmt::format("{}: {} of {} rows used", table.file, rows_used, table.rows_in_file));
   for (const std::string& note : table.notes) lines.push_back("  " + note);
-  for (const DroppedRow& row : table.dropped)
+  for (const DroppedRow& row : by_line(table.dropped))
     lines.push_back(fmt::format("  line {} left out: {}", row.line, row.reason));
 }
 

@@ -163,12 +163,13 @@ TaylorFit fit_taylor(const WearGroup& group, ErrorLaw law, const TaylorOptions& 
   for (Index i = 0; i < rows.rows(); ++i)
     fit.largest_leverage =
         std::max(fit.largest_leverage, rows.row(i).dot(fit.inverse_information * rows.row(i).transpose()));
+  const double drop = likelihood_drop(options.confidence, static_cast<double>(failures), fit.degrees());
   Index column = static_cast<Index>(fit.laboratories.size());
   for (TaylorExponent& exponent : fit.exponents) {
     if (!exponent.fitted) continue;
     exponent.value = -fit.regression.coefficients[column];
     const ProfileBounds b =
-        profile_bounds(law, data, fit.regression, {VectorXd::Unit(used, column), 0}, options.confidence);
+        profile_bounds(law, data, fit.regression, {VectorXd::Unit(used, column), 0}, drop);
     exponent.bounds = {-b.high, -b.low};
     ++column;
   }

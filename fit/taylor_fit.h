@@ -29,7 +29,7 @@ struct TaylorExponent {
   bool fitted = false;
   std::string why_not;
   double value = 0;  ///< m: life goes as factor^-m
-  Interval bounds;   ///< profile likelihood
+  Interval bounds;   ///< profile likelihood; Student's when every run crossed the criterion
 };
 
 struct TaylorFit {

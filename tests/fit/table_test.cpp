@@ -121,6 +121,8 @@ TEST_CASE("doubtful input is refused with the flag that settles it", "[fit]") {
   CHECK_THAT(why("Life (furlongs);Cause\n12;worn\n"), Contains("the unit \"furlongs\""));
   CHECK_THAT(why("Minutes;Cause\n12;\"worn\n"), Contains("line 2") && Contains("never closed"));
   CHECK_THAT(why(""), Contains("is empty"));
+  CHECK_THAT(why("\"\",\n1,2\n"), Contains("no column for"));
+  CHECK_THAT(why(",,\n"), Contains("has no header"));
   CHECK_THAT(why("PK\x03\x04 and so on"), Contains("xlsx2csv"));
   CHECK_THAT(why(std::string("\xFF\xFEM\0", 4)), Contains("UTF-16"));
   CHECK_THAT(why("Minutes;Cause\nno data;worn\n"), Contains("no row of 1 can be used") && Contains("line 2"));
