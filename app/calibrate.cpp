@@ -43,8 +43,8 @@ void add_calibrate(CLI::App& program) {
     const LoadedScenario loaded = load_scenario(f->scenario, changes_of(f->common));
     const fit::CalibrationSpec spec = fit::read_calibration(f->totals, f->uncertain);
     fit::CalibrationOptions options;
-    options.points_per_round = static_cast<int>(real_flag("--points", f->points, 20, 100'000));
-    options.rounds = static_cast<int>(real_flag("--rounds", f->rounds, 1, 10));
+    options.points_per_round = static_cast<int>(whole_flag("--points", f->points, 20, 100'000));
+    options.rounds = static_cast<int>(whole_flag("--rounds", f->rounds, 1, 10));
     options.confidence = real_flag("--confidence", f->confidence, 0.5, 0.999);
     options.seed = loaded.scenario.simulation.seed.value;
     answer(fit::calibrate_shop(loaded.json, spec, options, thread_count(f->common), origin_now(f->totals)),

@@ -59,7 +59,7 @@ struct TableFlags {
   }
   [[nodiscard]] double confidence_level() const { return real_flag("--confidence", confidence, 0.5, 0.999); }
   [[nodiscard]] std::uint64_t seed_value() const {
-    return static_cast<std::uint64_t>(real_flag("--seed", seed, 0, 9e15));
+    return static_cast<std::uint64_t>(whole_flag("--seed", seed, 0, 9'000'000'000'000'000));
   }
   [[nodiscard]] fit::Origin origin() const { return origin_now(file); }
 };
@@ -110,7 +110,7 @@ void add_life(CLI::App& fit_command) {
     fit::LifeAnalysisOptions options;
     options.gamma = real_flag("--gamma", f->gamma, 0.001, 0.999);
     options.confidence = f->confidence_level();
-    options.goodness_samples = static_cast<int>(real_flag("--bootstrap", f->bootstrap, 19, 10'000));
+    options.goodness_samples = static_cast<int>(whole_flag("--bootstrap", f->bootstrap, 19, 10'000));
     options.seed = f->seed_value();
     fit::LifeTarget target = f->target;
     target.cutting_speed_m_min = maybe("--speed", f->speed, 1e-6, 1e5);
@@ -186,7 +186,7 @@ struct EventFlags : TableFlags {
   }
   [[nodiscard]] fit::EventReportOptions options() const {
     return {.confidence = confidence_level(),
-            .goodness_samples = static_cast<int>(real_flag("--bootstrap", bootstrap, 19, 10'000)),
+            .goodness_samples = static_cast<int>(whole_flag("--bootstrap", bootstrap, 19, 10'000)),
             .seed = seed_value()};
   }
 };
@@ -301,7 +301,7 @@ void add_value(CLI::App& fit_command) {
     fit::RemovalOptions removals = f->removals;
     removals.table = f->table_options();
     removals.columns = f->choices();
-    const int truths = static_cast<int>(real_flag("--truths", f->truths, 100, 100'000));
+    const int truths = static_cast<int>(whole_flag("--truths", f->truths, 100, 100'000));
     const fit::ValueSpec spec = fit::read_value_spec(f->plans);
     const fit::RemovalLog log = fit::read_removals(f->file, removals);
     answer(fit::report_value(log, spec, truths, f->seed_value(), f->origin()), f->json, f->out);
@@ -316,6 +316,16 @@ double real_flag(const std::string& flag, const std::string& text, double low, d
   if (error != std::errc() || stop != text.data() + text.size() || !(value >= low) || !(value <= high))
     throw UsageError(
         fmt::format("{} {}: must be a number from {} to {}", flag, text.substr(0, 100), low, high));
+  return value;
+}
+
+std::int64_t whole_flag(const std::string& flag, const std::string& text, std::int64_t low,
+                        std::int64_t high) {
+  std::int64_t value{};
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || stop != text.data() + text.size() || value < low || value > high)
+    throw UsageError(
+        fmt::format("{} {}: must be a whole number from {} to {}", flag, text.substr(0, 100), low, high));
   return value;
 }
 

@@ -38,7 +38,8 @@ DurationFit fit_durations(const std::vector<Observation>& times, int goodness_sa
   fit.unfitted = std::move(ranking.unfitted);
   for (const FittedLaw& law : ranking.laws) {
     if (law.family == LifeFamily::normal) continue;  // a time is never negative, and no scenario holds one
-    fit.laws.push_back({law, goodness_of_fit(law, times, goodness_samples, seed)});
+    const int affordable = static_cast<int>(std::max<std::size_t>(39, 2'000'000 / times.size()));
+    fit.laws.push_back({law, goodness_of_fit(law, times, std::min(goodness_samples, affordable), seed)});
   }
   if (fit.laws.empty()) throw FitError(fit.unfitted.front().reason);
   fit.empirical =

@@ -115,12 +115,9 @@ GoodnessTest goodness_of_fit(const FittedLaw& law, const std::vector<Observation
       const double v = stream.uniform();
       const double w = stream.uniform();
       const double place = stream.uniform();
-      double censored = std::numeric_limits<double>::infinity();
-      for (const SurvivalStep& step : censoring)
-        if (step.survival <= v) {
-          censored = step.time;
-          break;
-        }
+      const auto step = std::partition_point(censoring.begin(), censoring.end(),
+                                             [&](const auto& c) { return c.survival > v; });
+      const double censored = step == censoring.end() ? std::numeric_limits<double>::infinity() : step->time;
       if (life > censored) {
         o = survived(censored);
         continue;

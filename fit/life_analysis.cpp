@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include "fit/fit_error.h"
 #include "fit/location_scale.h"
@@ -175,8 +176,10 @@ LifeAnalysis analyse_lives(const std::vector<Observation>& lives, const LifeAnal
   LifeRanking ranking = rank_laws(lives);
   a.unfitted = std::move(ranking.unfitted);
   if (ranking.laws.empty()) throw FitError(a.unfitted.front().reason);
+  const int affordable = static_cast<int>(std::max<std::size_t>(39, 2'000'000 / lives.size()));
+  const int samples = std::min(options.goodness_samples, affordable);
   for (const FittedLaw& law : ranking.laws)
-    a.laws.push_back({law, goodness_of_fit(law, lives, options.goodness_samples, options.seed)});
+    a.laws.push_back({law, goodness_of_fit(law, lives, samples, options.seed)});
 
   const FittedLaw& best = a.laws.front().law;
   const auto bounded = [&](double estimate, LifeQuantity quantity) {
@@ -211,7 +214,16 @@ LifeAnalysis analyse_lives(const std::vector<Observation>& lives, const LifeAnal
   }
   const bool several =
       std::any_of(lives.begin(), lives.end(), [&](const auto& o) { return o.batch != lives[0].batch; });
-  if (several) a.batches = compare_batches(lives, options.confidence);
+  if (!several) return a;
+  std::set<std::size_t> with_failures;
+  for (const Observation& o : lives)
+    if (o.failed()) with_failures.insert(o.batch);
+  if (with_failures.size() > most_batches) {
+    a.batches_not_compared = "more than 30 batches with failures";
+    return a;
+  }
+  a.batches = compare_batches(lives, options.confidence);
+  if (!a.batches) a.batches_not_compared = "fewer than two batches with enough different failures";
   return a;
 }
 

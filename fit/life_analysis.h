@@ -14,7 +14,7 @@ namespace verstat::fit {
 struct LifeAnalysisOptions {
   double gamma = 0.9;  ///< share of the edges that survive the gamma-percent life
   double confidence = 0.95;
-  int goodness_samples = 199;
+  int goodness_samples = 199;  ///< of at most two million lives in all; 39 at least
   std::uint64_t seed = 1;
 };
 
@@ -66,7 +66,9 @@ struct LifeAnalysis {
   /// Gamma-percent life of the causes together, from the product of their reliabilities.
   std::optional<double> gamma_percent_life_of_causes;
   std::optional<BatchReport> batches;
+  std::string batches_not_compared;  ///< why, when there are several batches and no report
 };
+inline constexpr std::size_t most_batches = 30;
 
 /// Throws FitError when not even the exponential law can be fitted.
 [[nodiscard]] LifeAnalysis analyse_lives(const std::vector<Observation>& lives,

@@ -255,6 +255,10 @@ Report report_lives(const RemovalLog& log, const LifeAnalysisOptions& options, c
         report.warnings.push_back(
             title + ": the batches differ in life; one law for all of them is too wide for each");
     }
+    if (!a.batches_not_compared.empty()) {
+      j["batches_not_compared"] = a.batches_not_compared;
+      report.lines.push_back("  batches not compared: " + a.batches_not_compared);
+    }
     if (a.laws.front().goodness.p_value < 0.05)
       report.warnings.push_back(title +
                                 ": even the best law does not fit (p < 0.05): look at causes and batches");
@@ -283,6 +287,8 @@ Report report_lives(const RemovalLog& log, const LifeAnalysisOptions& options, c
       regime("feed_ref_mm_rev", target.feed_mm_rev);
       regime("depth_of_cut_ref_mm", target.depth_of_cut_mm);
       report.changes.push_back({target.pointer + "/provenance", origin_text(origin)});
+      if (target.cutting_speed_m_min && target.feed_mm_rev && target.depth_of_cut_mm)
+        report.json["library_entry"] = insert_entry(group.tool, target.pointer, report.changes);
       if (!target.cutting_speed_m_min)
         report.warnings.emplace_back(
             "the fitted mean replaces the life at the scenario's reference regime; --speed, --feed and "

@@ -73,6 +73,15 @@ std::string origin_text(const Origin& origin) {
                      origin.rows_in_file, origin.method, origin.date, origin.version);
 }
 
+ordered_json insert_entry(const std::string& name, const std::string& pointer,
+                          const std::vector<scenarios::Change>& changes) {
+  ordered_json entry = {{"name", name}};
+  for (const scenarios::Change& change : changes)
+    if (change.pointer.starts_with(pointer + "/"))
+      entry[ordered_json::json_pointer(change.pointer.substr(pointer.size()))] = change.value;
+  return entry;
+}
+
 ordered_json patch_json(const std::vector<scenarios::Change>& changes, const Origin& origin) {
   ordered_json list = ordered_json::array();
   for (const scenarios::Change& change : changes)

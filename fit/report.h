@@ -47,7 +47,12 @@ void add_table_lines(std::vector<std::string>& lines, const Table& table, std::s
 [[nodiscard]] nlohmann::ordered_json patch_json(const std::vector<scenarios::Change>& changes,
                                                 const Origin& origin);
 
-/// Two decimals more than the largest number needs, at most six significant digits.
+/// The changes of the insert at `pointer` as an insert of a scenario or a library; its price and edges are
+/// the shop's to add.
+[[nodiscard]] nlohmann::ordered_json insert_entry(const std::string& name, const std::string& pointer,
+                                                  const std::vector<scenarios::Change>& changes);
+
+/// Four or five digits, without an exponent between 0.001 and a million.
 [[nodiscard]] std::string plain(double value);
 
 }  // namespace verstat::fit

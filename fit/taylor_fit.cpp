@@ -76,6 +76,8 @@ TaylorFit fit_taylor(const WearGroup& group, ErrorLaw law, const TaylorOptions& 
       reached.push_back(run.laboratory);
   }
   fit.laboratories = options.pool_laboratories ? std::vector<std::string>{""} : reached;
+  if (fit.laboratories.size() > 30)
+    throw FitError("more than 30 laboratories; --pool-laboratories takes them as one");
   std::array<double, 3> logs{};
   fit.low.fill(infinity);
   fit.high.fill(0);

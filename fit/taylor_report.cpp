@@ -83,6 +83,7 @@ void add_changes(Report& report, const TaylorFit& fit, const std::string& pointe
           e.fitted ? fmt::format("the fitted one, {:.3g}, is outside 0 to 5", e.value / mu) : e.why_not));
   }
   report.changes.push_back({pointer + "/provenance", origin_text(origin)});
+  report.json["library_entry"] = insert_entry(group.tool, pointer, report.changes);
 }
 
 }  // namespace
