@@ -26,10 +26,7 @@ void add_json(CLI::App& command, CommonOptions& options) {
 void add_db(CLI::App& command, CommonOptions& options) {
   command.add_option("--db", options.db, "results database (SQLite)")->capture_default_str();
 }
-void add_run_options(CLI::App& command, CommonOptions& options) {
-  command.add_option("--seed", options.seed, "seed of all random streams, 0 to 18446744073709551615");
-  command.add_option("--replications", options.replications, "independent repetitions, 1 to 100000");
-  command.add_option("--threads", options.threads, "threads to use (results do not depend on it)");
+void add_changes(CLI::App& command, CommonOptions& options) {
   command
       .add_option("--set", options.set,
                   "change one value: POINTER=VALUE, for instance /machines/0/count=3; may be repeated")
@@ -38,6 +35,12 @@ void add_run_options(CLI::App& command, CommonOptions& options) {
       .add_option("--changes", options.changes,
                   "make the changes of this file, as verstat fit --out writes it; may be repeated")
       ->allow_extra_args(false);
+}
+void add_run_options(CLI::App& command, CommonOptions& options) {
+  command.add_option("--seed", options.seed, "seed of all random streams, 0 to 18446744073709551615");
+  command.add_option("--replications", options.replications, "independent repetitions, 1 to 100000");
+  command.add_option("--threads", options.threads, "threads to use (results do not depend on it)");
+  add_changes(command, options);
 }
 
 namespace {

@@ -40,6 +40,8 @@ struct CommonOptions {
 };
 void add_json(CLI::App& command, CommonOptions& options);
 void add_db(CLI::App& command, CommonOptions& options);
+/// --set, --changes
+void add_changes(CLI::App& command, CommonOptions& options);
 /// --seed, --replications, --threads, --set, --changes
 void add_run_options(CLI::App& command, CommonOptions& options);
 

@@ -179,6 +179,11 @@ void add_taylor(CLI::App& fit_command) {
 
 struct EventFlags : TableFlags {
   std::string bootstrap = "199";
+  std::string hours, weekdays;
+  void add_calendar(CLI::App& command) {
+    command.add_option("--hours", hours, "when the shop works, such as 07:00-15:00 (else all day)");
+    command.add_option("--weekdays", weekdays, "on which days, such as mon-fri (else all)");
+  }
   void add_to(CLI::App& command, const char* what) {
     TableFlags::add_to(command, what);
     command.add_option("--bootstrap", bootstrap, "simulated samples of each test of fit")
@@ -203,6 +208,7 @@ void add_downtime(CLI::App& fit_command) {
   f->add_to(
       *command,
       "downtime log (CSV): start, end or duration; machine, mode, operating and cutting counters if known");
+  f->add_calendar(*command);
   command->add_option("--from", f->downtime.from, "start of watching, such as 2026-03-01");
   command->add_option("--to-time", f->downtime.to, "end of watching");
   command->add_flag("--new-at-start", f->downtime.new_at_start, "machines were as new when watching began");
@@ -221,6 +227,7 @@ void add_downtime(CLI::App& fit_command) {
     fit::DowntimeOptions downtime = f->downtime;
     downtime.table = f->table_options();
     downtime.columns = f->choices();
+    downtime.calendar = fit::WorkCalendar(f->hours, f->weekdays);
     fit::DowntimeTarget target = f->target;
     if (f->clock == "calendar")
       target.clock = fit::Clock::calendar;
@@ -242,13 +249,18 @@ void add_arrivals(CLI::App& fit_command) {
   CLI::App* command =
       fit_command.add_subcommand("arrivals", "Arrival or order log: times between, profiles of day and week");
   f->add_to(*command, "arrival or order log (CSV): arrival; quantity, part, order if known");
+  f->add_calendar(*command);
   command->add_option("--part", f->arrivals.part, "only rows of this part");
   command->add_option("--to", f->to, "supply that the changes are for, such as /parts/0/supply");
-  command->footer("Example:\n  verstat fit arrivals docs/examples/fit/orders.csv --to /parts/0/supply");
+  command->footer(
+      "Example:\n  verstat fit arrivals docs/examples/fit/orders.csv --hours 07:00-15:00 --weekdays mon-fri "
+      "--to "
+      "/parts/0/supply");
   command->callback([f] {
     fit::ArrivalOptions arrivals = f->arrivals;
     arrivals.table = f->table_options();
     arrivals.columns = f->choices();
+    arrivals.calendar = fit::WorkCalendar(f->hours, f->weekdays);
     const fit::ArrivalLog log = fit::read_arrivals(f->file, arrivals, f->confidence_level());
     answer(fit::report_arrivals(log, f->options(), f->to, f->origin()), f->json, f->out);
   });

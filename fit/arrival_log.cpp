@@ -105,17 +105,33 @@ ArrivalLog read_arrivals(const std::string& path, const ArrivalOptions& options,
   log.dates_only = log.calendar;
   for (const auto& [moment, quantity] : arrivals) {
     if (std::fmod(moment, 1440) != 0) log.dates_only = false;
-    if (!log.moments_min.empty()) log.between.push_back(exact_life(moment - log.moments_min.back()));
     log.moments_min.push_back(moment);
     log.quantities.push_back(quantity);
   }
   if (log.dates_only)
     table.notes.emplace_back(
         "arrivals have dates only: times between them are whole days, no profile of the day");
+  if (!options.calendar.always() && !log.calendar)
+    throw scenarios::InputError(
+        "",
+        fmt::format("table {}: --hours and --weekdays need arrivals with dates, these are counters", path));
+  // On the clock of the shop what comes outside working time waits at the door.
+  std::vector<double> worked;
+  std::size_t outside = 0;
+  for (const double moment : log.moments_min) {
+    if (!options.calendar.working(moment)) ++outside;
+    const double now = options.calendar.worked_min(moment);
+    if (worked.empty() || now > worked.back()) worked.push_back(now);
+  }
+  if (outside > 0)
+    table.notes.push_back(
+        fmt::format("{} arrivals outside working time: taken as come when work begins", outside));
   // The first arrival starts the clock, the last one stops it.
-  EventSeries series{.end = log.moments_min.back() - log.moments_min.front()};
-  for (std::size_t i = 1; i < log.moments_min.size(); ++i)
-    series.times.push_back(log.moments_min[i] - log.moments_min.front());
+  EventSeries series{.end = worked.back() - worked.front()};
+  for (std::size_t i = 1; i < worked.size(); ++i) {
+    log.between.push_back(exact_life(worked[i] - worked[i - 1]));
+    series.times.push_back(worked[i] - worked.front());
+  }
   log.trend = laplace_test({series});
 
   if (log.calendar) {

@@ -8,13 +8,15 @@
 #include "fit/columns.h"
 #include "fit/observation.h"
 #include "fit/trend.h"
+#include "fit/work_calendar.h"
 
 namespace verstat::fit {
 
 struct ArrivalOptions {
   TableOptions table;
   std::vector<ColumnChoice> columns;
-  std::string part;  ///< only rows of this part; empty: all
+  std::string part;       ///< only rows of this part; empty: all
+  WorkCalendar calendar;  ///< times between arrivals run on it
 };
 
 /// A slot of the day or week: how many came in how much time.
@@ -30,7 +32,7 @@ struct ArrivalLog {
   Table table;
   std::size_t rows_used = 0;
   std::vector<double> moments_min;   ///< ascending, each once
-  std::vector<Observation> between;  ///< min between successive moments
+  std::vector<Observation> between;  ///< min between successive moments, working time only
   std::vector<double> quantities;    ///< arriving at each moment
   bool with_quantities = false;
   bool dates_only = false;  ///< no row has a time of day

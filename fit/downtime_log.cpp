@@ -178,14 +178,20 @@ DowntimeLog read_downtime(const std::string& path, const DowntimeOptions& option
   if (columns.has("cutting")) clocks.push_back(Clock::cutting);
   if (!columns.has("operating"))
     table.notes.emplace_back(
-        "no counter of operating time: the operating clock is the calendar without the recorded stops");
+        options.calendar.always()
+            ? "no counter of operating time: the operating clock is the calendar without the recorded stops; "
+              "--hours and --weekdays tell when the shop works"
+            : "no counter of operating time: the operating clock is working time without the recorded stops");
   constexpr double infinity = std::numeric_limits<double>::infinity();
   for (const std::string& mode : modes) {
     ModeRepairs repairs{.mode = mode};
     for (const Clock clock : clocks) {
       ModeTimes times{.mode = mode, .clock = clock};
       for (const auto& [machine, list] : stops) {
-        double stood = 0;  // recorded stops so far
+        double stood = 0;  // recorded stops so far, in working time
+        const auto worked = [&](double from, double to) {
+          return options.calendar.worked_min(to) - options.calendar.worked_min(from);
+        };
         std::optional<double> age_from;
         if (options.new_at_start) age_from = 0;
         EventSeries series;
@@ -194,7 +200,8 @@ DowntimeLog read_downtime(const std::string& path, const DowntimeOptions& option
         const auto at_stop = [&](const Stop& stop) {
           if (clock == Clock::calendar) return stop.start - log.from_min;
           if (clock == Clock::cutting) return *stop.cutting - *opening.cutting;
-          return stop.operating ? *stop.operating - *opening.operating : stop.start - log.from_min - stood;
+          return stop.operating ? *stop.operating - *opening.operating
+                                : worked(log.from_min, stop.start) - stood;
         };
         const bool counter = clock == Clock::cutting || (clock == Clock::operating && opening.operating);
         double now = 0;
@@ -209,12 +216,14 @@ DowntimeLog read_downtime(const std::string& path, const DowntimeOptions& option
             }
             if (now > 0) series.times.push_back(now);
           }
-          stood += stop.end - stop.start;
+          stood += worked(stop.start, stop.end);
           if (mine) age_from = clock == Clock::calendar ? stop.end - log.from_min : now;
           if (mine && clock == Clock::calendar) repairs.repairs.push_back(exact_life(stop.end - stop.start));
         }
         // A counter is known at stops only; the other clocks run to the end of watching.
-        series.end = counter ? now : log.to_min - log.from_min - (clock == Clock::operating ? stood : 0);
+        series.end = counter                     ? now
+                     : clock == Clock::operating ? worked(log.from_min, log.to_min) - stood
+                                                 : log.to_min - log.from_min;
         if (age_from && series.end > *age_from)
           times.between.push_back({.low = series.end - *age_from, .high = infinity});
         times.series.push_back(std::move(series));

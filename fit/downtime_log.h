@@ -8,12 +8,13 @@
 #include "fit/columns.h"
 #include "fit/observation.h"
 #include "fit/trend.h"
+#include "fit/work_calendar.h"
 
 namespace verstat::fit {
 
 enum class Clock {
   calendar,   ///< every minute
-  operating,  ///< a counter of the log, else the calendar without the recorded stops
+  operating,  ///< a counter of the log, else working time without the recorded stops
   cutting     ///< a counter of the log
 };
 [[nodiscard]] const char* name_of(Clock clock);
@@ -22,6 +23,7 @@ struct DowntimeOptions {
   TableOptions table;
   std::vector<ColumnChoice> columns;
   std::string from, to;       ///< period of watching, as times; empty: first stop, end of the last one
+  WorkCalendar calendar;      ///< working time, for the operating clock without a counter
   bool new_at_start = false;  ///< machines were as new when the watching began: the first time counts, too
 };
 

@@ -37,8 +37,12 @@ double TaylorFit::degrees() const {
   return static_cast<double>(exact + left_censored) - static_cast<double>(regression.coefficients.size());
 }
 
+double TaylorFit::scatter() const {
+  return regression.sigma * std::sqrt(static_cast<double>(exact + left_censored) / degrees());
+}
+
 double TaylorFit::cv() const {
-  const double s = regression.sigma;
+  const double s = scatter();
   return law == ErrorLaw::normal ? std::sqrt(std::expm1(s * s)) : models::weibull_cv(1 / s);
 }
 
@@ -59,7 +63,7 @@ double TaylorFit::median_min(const std::array<double, 3>& regime) const {
 }
 
 double TaylorFit::mean_min(const std::array<double, 3>& regime) const {
-  const double s = regression.sigma;
+  const double s = scatter();
   const double location = row(regime, "").dot(regression.coefficients);
   if (law == ErrorLaw::normal) return std::exp(location + s * s / 2);
   return std::exp(location) * boost::math::tgamma(1 + s, models::MathPolicy());

@@ -45,8 +45,11 @@ struct TaylorFit {
   double longest_min = 0;       ///< longest time any edge was watched
 
   [[nodiscard]] double degrees() const;  ///< failures less coefficients
-  [[nodiscard]] double cv() const;       ///< of life at one regime
-  /// Median (lognormal) or mean life at a regime, level of the first laboratory.
+  /// sigma corrected for the fitted coefficients, sigma sqrt(failures / degrees): maximum likelihood takes
+  /// the scatter of a few runs for too small.
+  [[nodiscard]] double scatter() const;
+  [[nodiscard]] double cv() const;  ///< of life at one regime, from scatter()
+  /// Median or mean life at a regime, level of the first laboratory.
   [[nodiscard]] double median_min(const std::array<double, 3>& regime) const;
   [[nodiscard]] double mean_min(const std::array<double, 3>& regime) const;
   [[nodiscard]] Eigen::VectorXd row(const std::array<double, 3>& regime, const std::string& laboratory) const;

@@ -26,7 +26,8 @@ ordered_json fit_json(const TaylorFit& fit) {
                     {"center", regime_json(fit.center)},
                     {"mean_at_center_min", fit.mean_min(fit.center)},
                     {"median_at_center_min", fit.median_min(fit.center)},
-                    {"sigma_ln_life", fit.regression.sigma},
+                    {"sigma_ln_life", fit.scatter()},
+                    {"sigma_ln_life_maximum_likelihood", fit.regression.sigma},
                     {"cv", fit.cv()},
                     {"degrees_of_freedom", fit.degrees()},
                     {"aicc", number(fit.aicc)}};

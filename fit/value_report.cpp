@@ -192,6 +192,9 @@ Report report_value(const RemovalLog& log, const ValueSpec& spec, int truths, st
     report.lines.push_back(fmt::format("  {:>10}{:>14}{:>14}{:>14}{:>16.3f}", n, plain(v.value),
                                        plain(2 * v.standard_error), plain(net), v.wrong_chance));
   }
+  if (best_n == spec.edges.back())
+    report.warnings.push_back(
+        fmt::format("{} is the largest number tried; still more may be worth it", best_n));
   report.json["worth_measuring_per_tool"] = best_n;
   report.json["net_value"] = best_net;
   report.json["risk"] = spec.risk;

@@ -75,9 +75,9 @@ TEST_CASE("the example at the end of every fit --help runs") {
     INFO(line << "\n" << answer.err);
     CHECK(answer.exit_code == 0);
     CHECK_FALSE(answer.out.empty());
+    CHECK_THAT(answer.out, !Contains(" nan") && !Contains("(nan"));
     const Answer as_json = call(line + " --json");
     CHECK(json::parse(as_json.out).contains("provenance"));
-    CHECK(as_json.out.find("nan") == std::string::npos);
   }
 }
 

@@ -214,6 +214,60 @@ TEST_CASE("arrivals: Poisson in the day shift is seen as such", "[fit]") {
   CHECK_THROWS_WITH(read_arrivals(mixed.path(), {}, 0.95), Contains("cannot be one time axis"));
 }
 
+TEST_CASE("working time: a shift from Monday to Friday", "[fit]") {
+  const WorkCalendar shift("07:00-15:00", "mon-fri");
+  const auto at = [](const char* text) { return *verstat::fit::parse_moment(text); };
+  const auto between = [&](const char* from, const char* to) {
+    return shift.worked_min(at(to)) - shift.worked_min(at(from));
+  };
+  // 2027-02-05 is a Friday.
+  CHECK(between("2027-02-05 14:00", "2027-02-08 08:30") == Approx(60 + 90));
+  CHECK(between("2027-02-05 16:00", "2027-02-08 06:00") == 0);
+  CHECK(between("2027-02-01", "2027-03-01") == Approx(20 * 480));
+  CHECK(shift.working(at("2027-02-05 07:00")));
+  CHECK_FALSE(shift.working(at("2027-02-05 15:00")));
+  CHECK_FALSE(shift.working(at("2027-02-06 09:00")));
+  CHECK(WorkCalendar("", "sat-mon").working(at("2027-02-07 03:00")));
+  CHECK(WorkCalendar().worked_min(123.5) == 123.5);
+  // Minute by minute over two weeks.
+  double sum = 0;
+  for (double t = at("2027-02-03 11:00"); t < at("2027-02-17 12:00"); t += 1) sum += shift.working(t) ? 1 : 0;
+  CHECK(between("2027-02-03 11:00", "2027-02-17 12:00") == Approx(sum));
+  for (const char* bad : {"7-15", "15:00-07:00", "07:00", "07:00-25:00", "07:60-08:00"})
+    CHECK_THROWS_WITH(WorkCalendar(bad, ""), Contains("--hours"));
+  for (const char* bad : {"monday", "mon-", ",", "mon;tue"})
+    CHECK_THROWS_WITH(WorkCalendar("", bad), Contains("--weekdays"));
+}
+
+TEST_CASE("Poisson orders of the day shift are exponential on the clock of the shift", "[fit]") {
+  RandomStream stream(37, "orders", "shift");
+  std::string text = "Date\n";
+  const auto two = [](int x) { return (x < 10 ? "0" : "") + std::to_string(x); };
+  // Whole minutes would make ties and steps: seconds do not show at a mean of 90 min.
+  double carried = stream.exponential(90);
+  for (int day = 1; day <= 60; ++day) {
+    double t = carried;
+    for (; t < 480; t += stream.exponential(90)) {
+      const int second = static_cast<int>((t + 420) * 60);
+      text += day <= 31 ? "2027-03-" + two(day) : "2027-04-" + two(day - 31);
+      text += " " + two(second / 3600) + ":" + two(second / 60 % 60) + ":" + two(second % 60) + "\n";
+    }
+    carried = t - 480;
+  }
+  const File file(text);
+  ArrivalOptions options;
+  options.calendar = WorkCalendar("07:00-15:00", "");
+  const DurationFit shift = fit_durations(read_arrivals(file.path(), options, 0.95).between, 99, 1);
+  CHECK(shift.laws.front().law.mean() == Approx(90).epsilon(0.2));
+  CHECK_FALSE(shift.empirical);
+  for (const LawReport& law : shift.laws)
+    if (law.law.family == LifeFamily::exponential) CHECK(law.goodness.p_value > 0.05);
+  // On the calendar the nights are gaps that no exponential law has.
+  const DurationFit calendar = fit_durations(read_arrivals(file.path(), {}, 0.95).between, 99, 1);
+  for (const LawReport& law : calendar.laws)
+    if (law.law.family == LifeFamily::exponential) CHECK(law.goodness.p_value < 0.05);
+}
+
 TEST_CASE("Garwood's interval", "[fit]") {
   CHECK(poisson_interval(0, 0.95).low == 0);
   CHECK(poisson_interval(0, 0.95).high ==

@@ -269,4 +269,14 @@ TEST_CASE("what cannot be fitted is said", "[fit]") {
   std::vector<Observation> lives = {exact_life(3), exact_life(5), survived(9)};
   lives[2].batch = 1;
   CHECK_FALSE(compare_batches(lives, 0.95));
+  CHECK_FALSE(analyse_lives(lives, {}).batches_not_compared.empty());
+  // A batch for every edge is no batch.
+  std::vector<Observation> singles;
+  for (std::size_t i = 0; i < 200; ++i) {
+    singles.push_back(exact_life(10 + static_cast<double>(i)));
+    singles.back().batch = i;
+  }
+  LifeAnalysisOptions quick;
+  quick.goodness_samples = 19;
+  CHECK(analyse_lives(singles, quick).batches_not_compared == "more than 30 batches with failures");
 }

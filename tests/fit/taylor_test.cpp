@@ -194,6 +194,8 @@ TEST_CASE("without censoring the prediction interval is Student's", "[fit]") {
   const double s2 = (d1 * d1 / 2 + d2 * d2 / 2) / 2;
   const TaylorPrediction p = predict(fit, {100, 0.2, 1}, 0.95);
   CHECK(p.median_min == Approx(std::sqrt(40.0 * 60.0)).epsilon(1e-8));
+  CHECK(fit.scatter() == Approx(std::sqrt(s2)).epsilon(1e-6));
+  CHECK(fit.cv() == Approx(std::sqrt(std::expm1(s2))).epsilon(1e-6));
   const double half = 4.302652729911275 * std::sqrt(s2 * (1 + 0.5));
   CHECK(std::log(p.one_edge_bounds.high / p.median_min) == Approx(half).epsilon(1e-5));
   CHECK(std::log(p.median_bounds.high / p.median_min) ==
