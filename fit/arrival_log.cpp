@@ -144,10 +144,16 @@ ArrivalLog read_arrivals(const std::string& path, const ArrivalOptions& options,
     const std::int64_t first = day(log.moments_min.front());
     const std::int64_t last = day(log.moments_min.back());
     std::vector<double> per_day(static_cast<std::size_t>(last - first + 1), 0);
-    for (std::int64_t d = first; d <= last; ++d) {
-      log.weekdays[static_cast<std::size_t>(((d % 7) + 7) % 7)].exposure_h += 24;
-      for (RateSlot& h : log.hours) h.exposure_h += 1;
-    }
+    std::vector<bool> works(per_day.size(), false);
+    for (std::int64_t d = first; d <= last; ++d)
+      for (std::size_t h = 0; h < 24; ++h) {
+        const double start = static_cast<double>(d) * 1440 + static_cast<double>(h) * 60;
+        const double worked_h =
+            (options.calendar.worked_min(start + 60) - options.calendar.worked_min(start)) / 60;
+        log.hours[h].exposure_h += worked_h;
+        log.weekdays[static_cast<std::size_t>(((d % 7) + 7) % 7)].exposure_h += worked_h;
+        if (worked_h > 0) works[static_cast<std::size_t>(d - first)] = true;
+      }
     for (const double moment : log.moments_min) {
       const std::int64_t d = day(moment);
       ++per_day[static_cast<std::size_t>(d - first)];
@@ -168,6 +174,8 @@ ArrivalLog read_arrivals(const std::string& path, const ArrivalOptions& options,
       log.hours.clear();
     else
       log.hour_p_value = same_rate_p_value(log.hours);
+    for (std::size_t d = per_day.size(); d-- > 0;)
+      if (!works[d]) per_day.erase(per_day.begin() + static_cast<std::ptrdiff_t>(d));
     double mean = 0;
     for (const double n : per_day) mean += n / static_cast<double>(per_day.size());
     double squares = 0;

@@ -23,7 +23,7 @@ struct ArrivalOptions {
 struct RateSlot {
   std::string name;  ///< "Monday", "07:00"
   std::size_t arrivals = 0;
-  double exposure_h = 0;
+  double exposure_h = 0;  ///< working time only
   double rate_per_h = 0;
   Interval bounds;  ///< Garwood
 };

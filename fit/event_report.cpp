@@ -255,6 +255,7 @@ Report report_arrivals(const ArrivalLog& log, const EventReportOptions& options,
     ordered_json list = ordered_json::array();
     std::string shown;
     for (const RateSlot& s : slots) {
+      if (!(s.exposure_h > 0)) continue;  // the shop does not work then
       list.push_back({{"slot", s.name},
                       {"arrivals", s.arrivals},
                       {"exposure_h", s.exposure_h},

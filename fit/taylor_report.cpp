@@ -64,6 +64,9 @@ void add_changes(Report& report, const TaylorFit& fit, const std::string& pointe
       "extended Taylor equation, censored maximum likelihood, {} law, VB {:g} mm, {} runs of \"{}\" "
       "with \"{}\"",
       law_name(fit.law), criterion_mm, fit.runs, group.material, group.tool);
+  if (fit.laboratories.size() > 1)
+    report.warnings.push_back(fmt::format("mean_ref_min is the level of laboratory {}, the first of {}",
+                                          fit.laboratories[0], fit.laboratories.size()));
   const std::string life = pointer + "/edge_life/";
   report.changes.push_back({life + "law", "weibull"});
   report.changes.push_back({life + "cv", fit.cv()});

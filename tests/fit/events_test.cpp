@@ -257,7 +257,12 @@ TEST_CASE("Poisson orders of the day shift are exponential on the clock of the s
   const File file(text);
   ArrivalOptions options;
   options.calendar = WorkCalendar("07:00-15:00", "");
-  const DurationFit shift = fit_durations(read_arrivals(file.path(), options, 0.95).between, 99, 1);
+  const ArrivalLog log = read_arrivals(file.path(), options, 0.95);
+  CHECK(log.hour_p_value > 0.01);  // the same rate in every hour of the shift
+  CHECK(log.hours[3].exposure_h == 0);
+  CHECK(log.hours[7].exposure_h == Approx(60).margin(1));
+  CHECK(log.dispersion_p_value > 0.01);
+  const DurationFit shift = fit_durations(log.between, 99, 1);
   CHECK(shift.laws.front().law.mean() == Approx(90).epsilon(0.2));
   CHECK_FALSE(shift.empirical);
   for (const LawReport& law : shift.laws)
