@@ -1,5 +1,6 @@
 #include "app/cli.h"
 
+#include <algorithm>
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
@@ -12,6 +13,7 @@
 #include <unistd.h>
 
 #include "app/version.h"
+#include "models/catalogue/closest.h"
 #include "models/catalogue/error.h"
 #include "store/database.h"
 
@@ -139,6 +141,17 @@ int report(const std::string& text, ExitCode code) {
   return code;
 }
 
+// CLI11 would only say that a sub-command is required.
+void check_subcommand(const CLI::App& program, int argc, char** argv) {
+  if (argc < 2 || argv[1][0] == '-') return;
+  std::vector<std::string> names;
+  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
+  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
+  throw UsageError(
+      fmt::format("there is no command \"{}\"; closest: \"{}\" (verstat --help shows what there is)", argv[1],
+                  models::closest(argv[1], names)));
+}
+
 }  // namespace
 
 int run_program(int argc, char** argv) {
@@ -160,7 +173,10 @@ int run_program(int argc, char** argv) {
   add_calibrate(program);
   add_serve(program);
   add_schema(program);
+  add_trace(program);
+  add_graph(program);
   try {
+    check_subcommand(program, argc, argv);
     program.parse(argc, argv);
     return success;
   } catch (const CLI::Success& e) {  // --help, --version

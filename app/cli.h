@@ -75,6 +75,8 @@ void add_plan(CLI::App& program);
 void add_serve(CLI::App& program);
 void add_fit(CLI::App& program);
 void add_calibrate(CLI::App& program);
+void add_trace(CLI::App& program);
+void add_graph(CLI::App& program);
 
 /// Runs the whole program; returns its exit code.
 [[nodiscard]] int run_program(int argc, char** argv);

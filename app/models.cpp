@@ -1,6 +1,8 @@
-// verstat models: the catalogue of process models: list, show, search, evaluate.
+// verstat models: the catalogue of process models: list, show, search, evaluate, count, write pages.
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <iterator>
 
@@ -8,6 +10,7 @@
 
 #include "app/cli.h"
 #include "models/catalogue/catalogue.h"
+#include "scenarios/catalogue_pages.h"
 #include "scenarios/function_json.h"
 #include "scenarios/model_json.h"
 
@@ -119,6 +122,46 @@ void evaluate(const std::string& key, const std::string& inputs, const std::stri
   fmt::print("{}\n", scenarios::to_json(f.evaluate(scenarios::to_value(given))).dump(2));
 }
 
+void write_pages(const std::string& out, const std::string& points) {
+  namespace fs = std::filesystem;
+  if (!fs::is_directory(points))
+    throw UsageError(fmt::format("--points {}: is no folder of reference points <ID>.json", points));
+  const auto pages = scenarios::catalogue_pages(points);
+  std::error_code error;
+  fs::create_directories(out, error);
+  if (error) throw UsageError(fmt::format("--out {}: {}", out, error.message()));
+  std::size_t changed = 0;
+  for (const auto& [name, text] : pages) {
+    const fs::path file = fs::path(out) / name;
+    // Unchanged pages keep their time; a page is renamed into place, so none is ever half-written.
+    if (fs::exists(file) && scenarios::read_text_file(file.string()) == text) continue;
+    const fs::path part = fs::path(out) / (name + ".part");
+    if (std::ofstream to(part, std::ios::binary); !(to << text) || !to.flush())
+      throw UsageError(fmt::format("--out {}: cannot write {}", out, part.string()));
+    fs::rename(part, file, error);
+    if (error) throw UsageError(fmt::format("--out {}: {}", out, error.message()));
+    ++changed;
+  }
+  fmt::print("{}: {} pages, {} changed\n", out, pages.size(), changed);
+}
+
+void count(const std::string& points, bool as_json) {
+  if (!std::filesystem::is_directory(points))
+    throw UsageError(fmt::format("--points {}: is no folder of reference points <ID>.json", points));
+  const auto uses = scenarios::source_uses(points);
+  const auto& catalogue = models::catalogue();
+  if (!as_json) {
+    fmt::print("{}\n", models::count_line(catalogue, uses));
+    return;
+  }
+  std::size_t sum = 0;
+  for (const auto& use : uses) sum += use.reference_points;
+  fmt::print("{}\n", ordered_json{{"sources", catalogue.sources().size()},
+                                  {"functions", catalogue.function_count()},
+                                  {"reference_points", sum}}
+                         .dump(2));
+}
+
 }  // namespace
 
 void add_models(CLI::App& program) {
@@ -151,6 +194,22 @@ void add_models(CLI::App& program) {
   show_command->add_flag("--json", *as_json, "print JSON");
   show_command->footer("Example:\n  verstat models show K117.part_cost");
   show_command->callback([=] { show(*key, *as_json); });
+
+  auto points = std::make_shared<std::string>("tests/catalogue");
+  auto out = std::make_shared<std::string>("docs/catalogue");
+  CLI::App* doc_command =
+      command->add_subcommand("doc", "Write the catalogue as one readable page per source");
+  doc_command->add_option("--out", *out, "folder of the pages")->capture_default_str();
+  doc_command->add_option("--points", *points, "folder of the reference points")->capture_default_str();
+  doc_command->footer("Example:\n  verstat models doc --out docs/catalogue");
+  doc_command->callback([=] { write_pages(*out, *points); });
+
+  CLI::App* count_command =
+      command->add_subcommand("count", "Count the sources, functions and reference points");
+  count_command->add_option("--points", *points, "folder of the reference points")->capture_default_str();
+  count_command->add_flag("--json", *as_json, "print JSON");
+  count_command->footer("Example:\n  verstat models count");
+  count_command->callback([=] { count(*points, *as_json); });
 
   CLI::App* eval_command = command->add_subcommand("eval", "Evaluate one function, or a file of points");
   eval_command->add_option("KEY", *key, "for instance K117.part_cost");

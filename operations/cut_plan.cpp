@@ -15,6 +15,14 @@ std::optional<double> CutPlan::value_of(const std::string& name) const {
   return std::nullopt;
 }
 
+EdgeLife PreparedLot::edge_life(const EdgeLife& delivered) const {
+  EdgeLife prepared = delivered;
+  prepared.law = law;
+  prepared.cv = cv;
+  prepared.mean_ref_min *= life_factor;
+  return prepared;
+}
+
 void CutPlan::set_main_time(double value_min, const char* origin) {
   main_time_min = value_min;
   quantities.insert(quantities.begin(), {"main_time_min", value_min, "min", origin, "main time of one part"});

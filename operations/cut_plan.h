@@ -3,12 +3,14 @@
 // the simulator, the optimizer, the command line and the pages alike. Every number says where it comes from.
 
 #include <cmath>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "models/math/life_law.h"
 #include "operations/duration.h"
+#include "operations/edge_life.h"
 
 namespace verstat::operations {
 
@@ -59,6 +61,59 @@ struct ElementLife {
   const char* origin = "";
 };
 
+/// What an inspection finds out about a part that is defective or good.
+struct Detection {
+  double defective_share = 0;  ///< of the parts that the plan assumes to come
+  double sensitivity = 1;      ///< probability that a defective part is rejected; 1 - consumer's risk
+  double specificity = 1;      ///< probability that a good part is accepted; 1 - producer's risk
+  const char* origin = "";
+};
+
+/// Inserts or drills after a preparation: what the tools of a shop fit instead of those delivered.
+struct PreparedLot {
+  models::LifeLawKind law = models::LifeLawKind::weibull;
+  double life_factor = 1;               ///< multiplies EdgeLife::mean_ref_min
+  double cv = 0.7;                      ///< replaces EdgeLife::cv
+  double breakage_fraction = 0;         ///< of the lives that end by breakage
+  double delivered_per_prepared = 1;    ///< inserts bought for one that is used: multiplies the price
+  double added_cost_per_insert = 0;     ///< tests and treatment, less what rejected inserts bring
+  std::int64_t edges_used_by_test = 0;  ///< of one insert
+  const char* origin = "";
+  /// The edge life of the lot, from that of the lot as delivered. The treatment acts on the law, not on how
+  /// speed, feed and depth change the mean.
+  [[nodiscard]] EdgeLife edge_life(const EdgeLife& delivered) const;
+  /// Price of one prepared insert, from that of one delivered.
+  [[nodiscard]] double price(double delivered_price) const {
+    return delivered_price * delivered_per_prepared + added_cost_per_insert;
+  }
+};
+
+/// Drive overloads within one part, K204: the safety clutch opens, or something breaks in spite of it.
+struct Overload {
+  double trips_per_part = 0;  ///< mean, without a break
+  double breaks_per_part = 0;
+  double trip_probability = 0;  ///< of at least one in a part
+  double break_probability = 0;
+  double reset_min = 0;     ///< downtime of one trip
+  bool self_reset = false;  ///< the clutch closes again by itself: nobody is needed
+  const char* origin = "";
+};
+
+/// What the operation asks of the machine's spindle, so that the machine's dynamics and its safety clutch can
+/// be held against it. Zero: not known, or not so in this operation.
+struct SpindleLoad {
+  double speed_low_rpm = 0;
+  double speed_high_rpm = 0;
+  std::int64_t teeth = 1;  ///< that meet the work in one revolution
+  double torque_nm = 0;
+  double normal_force_n = 0;        ///< pushes the tool away from the surface
+  double specific_force_n_mm2 = 0;  ///< cutting stiffness k_c
+  double width_of_cut_mm = 0;
+  double wheel_diameter_mm = 0;  ///< grinding: equivalent diameter on a flat face
+  double work_speed_m_min = 0;   ///< grinding
+  double infeed_mm = 0;          ///< grinding
+};
+
 struct CutPlan {
   double main_time_min = 0;                ///< mean main time of one part
   std::optional<Duration> time_law;        ///< when the main time is random
@@ -69,7 +124,11 @@ struct CutPlan {
   std::vector<Quantity> quantities;        ///< everything worth showing, main time first
   std::vector<Limit> limits;
   std::vector<ForbiddenBand> bands;
-  std::vector<Quantity> consumables;  ///< used per part
+  std::vector<Quantity> consumables;   ///< used per part
+  std::optional<Detection> detection;  ///< of an inspection
+  std::optional<PreparedLot> lot;      ///< of the preparation of a lot of tools
+  std::optional<Overload> overload;    ///< on a machine with a safety clutch
+  SpindleLoad spindle;
 
   [[nodiscard]] bool feasible() const;
   /// Value of the quantity with this name; none when there is none.

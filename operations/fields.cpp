@@ -72,7 +72,8 @@ std::vector<Field> StructFields<MachineLimits>::fields() {
              "lowest spindle speed"),
       may<M>(&M::torque_max_nm, "torque_max_nm", "N m", open_low(0, 1e7), "largest spindle torque"),
       may<M>(&M::feed_force_max_n, "feed_force_max_n", "N", open_low(0, 1e8), "largest feed force"),
-      may<M>(&M::feed_rate_max_mm_min, "feed_rate_max_mm_min", "mm/min", open_low(0, 1e7), "fastest feed")};
+      may<M>(&M::feed_rate_max_mm_min, "feed_rate_max_mm_min", "mm/min", open_low(0, 1e7), "fastest feed"),
+      may<M>(&M::safety_clutch, "safety_clutch", "-", no_range(), "safety clutch of the drive")};
 }
 
 }  // namespace verstat::models

@@ -6,6 +6,7 @@
 #include "operations/duration.h"
 #include "operations/edge_life.h"
 #include "operations/kind.h"
+#include "operations/spindle.h"
 
 namespace verstat::models {
 
@@ -65,6 +66,14 @@ struct StructFields<operations::EdgeLife> {
 };
 template <>
 struct StructFields<operations::MachineLimits> {
+  static std::vector<Field> fields();
+};
+template <>
+struct StructFields<operations::SafetyClutch> {
+  static std::vector<Field> fields();
+};
+template <>
+struct StructFields<operations::Spindle> {
   static std::vector<Field> fields();
 };
 

@@ -23,6 +23,7 @@
 #include "models/catalogue/field.h"
 #include "operations/cut_plan.h"
 #include "operations/edge_life.h"
+#include "operations/safety_clutch.h"
 
 namespace verstat::operations {
 
@@ -34,13 +35,21 @@ struct MachineLimits {
   std::optional<double> torque_max_nm;
   std::optional<double> feed_force_max_n;
   std::optional<double> feed_rate_max_mm_min;
+  std::optional<SafetyClutch> safety_clutch;
 };
+struct Spindle;
 
-/// What the shop adds to the specification: the edge that the tool brings, the machine's limits.
+/// What the shop adds to the specification: the edge that the tool brings, the machine's limits and spindle.
 struct PlanContext {
   const EdgeLife* edge = nullptr;  ///< null: the operation has no tool with edges
   const MachineLimits* machine = nullptr;
+  const Spindle* spindle = nullptr;  ///< operations/spindle.h; null: nothing known of its dynamics
 };
+
+/// Holds a plan against what the machine adds whatever the operation: speed bands, stable width and form
+/// error of its spindle, overloads of its safety clutch. Done for every plan that a Kind or Process makes.
+/// Throws models::ModelError where the machine's own models refuse.
+void add_machine(CutPlan& plan, const PlanContext& context);
 
 /// A kind, type-erased.
 class Kind {
@@ -115,7 +124,9 @@ class Process {
 namespace detail {
 template <class Spec>
 CutPlan plan_of(const Spec& spec, const PlanContext& context) {
-  return plan(spec, context);  // found by argument: each kind declares its own
+  CutPlan made = plan(spec, context);  // found by argument: each kind declares its own
+  if (context.spindle != nullptr || context.machine != nullptr) add_machine(made, context);
+  return made;
 }
 }  // namespace detail
 

@@ -45,6 +45,11 @@ struct RatesOf {
     const double period_min = life.gamma_percent_life(s.gamma);
     return {1 / period_min, life.renewal_function(period_min) / period_min};
   }
+  template <class Other>
+  EdgeRates operator()(const Other&) const {
+    throw scenarios::InputError(
+        "", fmt::format("the long-run cost of strategy \"{}\" is left to the simulation", Other::kind));
+  }
 };
 
 }  // namespace
@@ -67,17 +72,40 @@ LongRunModel::LongRunModel(const scenarios::Scenario& scenario) : scenario_(scen
                                             scenario.parts.size()));
   for (std::size_t t = 0; t < scenario.tools.size(); ++t) {
     const Tool& tool = scenario.tools[t];
-    if (scenarios::find_named(scenario.crews, tool.crew)->pay == scenarios::CrewPay::shift)
+    const Crew* crew = scenarios::find_named(scenario.crews, tool.crew);
+    if (crew == nullptr)
+      throw scenarios::InputError(
+          fmt::format("/tools/{}/crew", t),
+          fmt::format(
+              "/tools/{}/crew = \"{}\", is a skill of several crews: its cost per part is left to the "
+              "simulation",
+              t, tool.crew));
+    if (crew->pay == scenarios::CrewPay::shift)
       throw scenarios::InputError(
           fmt::format("/tools/{}/crew", t),
           fmt::format("/tools/{}/crew = \"{}\", is paid by the shift: its cost per part depends on "
                       "the whole shop and is left to the simulation",
                       t, tool.crew));
+    const Insert* insert = scenarios::find_named(scenario.inserts, tool.insert);
+    if (insert != nullptr && insert->lots)
+      throw scenarios::InputError(
+          fmt::format("/tools/{}/insert", t),
+          fmt::format(
+              "/tools/{}/insert = \"{}\", comes in lots that differ: its cost per part is left to the "
+              "simulation",
+              t, tool.insert));
+    if (tool.teeth > 1 || scenarios::changed_off_line(tool) || !tool.elements.empty())
+      throw scenarios::InputError(
+          fmt::format("/tools/{}", t),
+          fmt::format("/tools/{} = \"{}\", has teeth, copies or elements of its own: its cost per part is "
+                      "left to the simulation",
+                      t, tool.name));
   }
 }
 
 OperationCost LongRunModel::operation_cost(const Operation& operation) const {
-  const double machine_rate = scenarios::find_named(scenario_.machines, operation.machine)->rate_per_min;
+  const double machine_rate =
+      scenario_.machines[scenarios::groups_of(scenario_, operation).front()].rate_per_min;
   const operations::CutPlan plan = scenarios::plan(scenario_, operation);
   if (plan.breakage_probability > 0 && plan.edge && !operation.tool.empty())
     throw scenarios::InputError(
@@ -88,7 +116,7 @@ OperationCost LongRunModel::operation_cost(const Operation& operation) const {
   if (!plan.edge || operation.tool.empty())
     return {machine_rate * plan.main_time_min + process_scrap, plan.main_time_min, 0};
   const Tool& tool = *scenarios::find_named(scenario_.tools, operation.tool);
-  const Insert& insert = *scenarios::find_named(scenario_.inserts, tool.insert);
+  const Insert insert = scenarios::prepared(*scenarios::find_named(scenario_.inserts, tool.insert));
   const Crew& crew = *scenarios::find_named(scenario_.crews, tool.crew);
   const LifeLaw life(insert.edge_life.law, plan.edge->mean_min, insert.edge_life.cv);
   const EdgeRates rates = std::visit(RatesOf{life, plan.main_time_min}, tool.strategy);

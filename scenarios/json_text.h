@@ -1,25 +1,14 @@
 #pragma once
 // Reading JSON as strictly as money deserves: no duplicate keys, no trailing text, bounded size and depth.
 
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 #include <nlohmann/json.hpp>
 
+#include "scenarios/input_error.h"
+
 namespace verstat::scenarios {
-
-/// Bad input in a file or a change: where it is and what would be right, in one line.
-class InputError : public std::runtime_error {
- public:
-  /// `pointer` is a JSON pointer ("/machines/0/count"), empty when the whole file is meant.
-  InputError(std::string pointer, const std::string& text)
-      : std::runtime_error(text), pointer_(std::move(pointer)) {}
-  [[nodiscard]] const std::string& pointer() const { return pointer_; }
-
- private:
-  std::string pointer_;
-};
 
 inline constexpr std::size_t largest_file_bytes = 64U << 20U;
 inline constexpr int deepest_json = 64;

@@ -1,32 +1,76 @@
 #include "scenarios/load.h"
 
 #include <algorithm>
-#include <map>
 
 #include <fmt/format.h>
 
 #include "models/catalogue/closest.h"
-#include "operations/fields.h"
-#include "operations/kinds/duration.h"
+#include "scenarios/check.h"
 #include "scenarios/model_json.h"
 
 namespace verstat::scenarios {
 
 using nlohmann::json;
 
+namespace {
+
+// The shop follows the teeth of this tool one by one: where a plan gives the life of the whole mill and the
+// mean slowdown by its failed teeth, those of one tooth and of the fresh mill take their place.
+void follow_each_tooth(operations::CutPlan& plan) {
+  const auto tooth_life_min = plan.value_of("tooth_life_min");
+  if (!tooth_life_min || !plan.edge) return;
+  plan.edge->mean_min = *tooth_life_min;
+  plan.edge->origin = "K117.mean_life_for_regime, one tooth";
+  plan.main_time_min /= plan.value_of("slowdown").value_or(1);
+  for (operations::Quantity& quantity : plan.quantities)
+    if (quantity.name == std::string_view("main_time_min")) quantity.value = plan.main_time_min;
+}
+
+}  // namespace
+
+operations::CutPlan plan(const Scenario& scenario, const Operation& operation, const Machine& machine) {
+  operations::PlanContext context{.machine = &machine.limits,
+                                  .spindle = machine.spindle ? &*machine.spindle : nullptr};
+  const Tool* tool = operation.tool.empty() ? nullptr : find_named(scenario.tools, operation.tool);
+  EdgeLife after_preparation;
+  if (tool != nullptr && !tool->insert.empty()) {
+    const Insert& insert = *find_named(scenario.inserts, tool->insert);
+    if (insert.preparation) {
+      after_preparation = prepared(insert).edge_life;
+      context.edge = &after_preparation;
+    } else {
+      context.edge = &insert.edge_life;
+    }
+  }
+  operations::CutPlan plan = operation.process.plan(context);
+  if (tool != nullptr && tool->teeth > 1) follow_each_tooth(plan);
+  return plan;
+}
+
 operations::CutPlan plan(const Scenario& scenario, const Operation& operation) {
-  operations::PlanContext context{.machine = &find_named(scenario.machines, operation.machine)->limits};
-  if (!operation.tool.empty())
-    context.edge =
-        &find_named(scenario.inserts, find_named(scenario.tools, operation.tool)->insert)->edge_life;
-  return operation.process.plan(context);
+  return plan(scenario, operation, scenario.machines.at(groups_of(scenario, operation).at(0)));
+}
+
+std::vector<std::size_t> groups_of(const Scenario& scenario, const Operation& operation) {
+  const auto index = [&](const std::string& name) {
+    return static_cast<std::size_t>(find_named(scenario.machines, name) - scenario.machines.data());
+  };
+  std::vector<std::size_t> groups;
+  if (!operation.machine.empty()) groups.push_back(index(operation.machine));
+  for (const std::string& name : operation.machines) groups.push_back(index(name));
+  if (!operation.capability.empty())
+    for (std::size_t g = 0; g < scenario.machines.size(); ++g) {
+      const auto& has = scenario.machines[g].capabilities;
+      if (std::find(has.begin(), has.end(), operation.capability) != has.end()) groups.push_back(g);
+    }
+  return groups;
 }
 
 std::optional<double> gamma_of(const Strategy& strategy) {
   return std::visit(
       [](const auto& s) -> std::optional<double> {
         if constexpr (requires { s.gamma; })
-          return s.gamma;
+          return s.gamma;  // of replace_at_failed_teeth: may be left out
         else
           return std::nullopt;
       },
@@ -105,124 +149,48 @@ json apply(json scenario, const std::vector<Change>& changes) {
 
 namespace {
 
-[[noreturn]] void fail(const std::string& pointer, const std::string& value, const std::string& allowed) {
-  throw InputError(pointer, fmt::format("{} = {}, {}", pointer, value, allowed));
-}
-std::string quoted(const std::string& text) {
-  return fmt::format("\"{}\"", text.substr(0, 100));
-}
-
-template <class T>
-void check_names(const std::vector<T>& all, const std::string& list) {
-  std::map<std::string, std::size_t> seen;
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    const std::string pointer = fmt::format("{}/{}/name", list, k);
-    if (all[k].name.empty() || all[k].name.size() > 100)
-      fail(pointer, quoted(all[k].name), "must have 1 to 100 characters");
-    const auto [first, fresh] = seen.emplace(all[k].name, k);
-    if (!fresh)
-      fail(pointer, quoted(all[k].name), fmt::format("is already the name of {}/{}", list, first->second));
-  }
-}
-
-template <class T>
-void check_reference(const std::vector<T>& all, const std::string& name, const std::string& pointer,
-                     const std::string& what) {
-  if (find_named(all, name) != nullptr) return;
-  std::vector<std::string> names;
-  for (const T& one : all) names.push_back(one.name);
-  fail(pointer, quoted(name),
-       names.empty()
-           ? fmt::format("there is no {} at all", what)
-           : fmt::format("there is no such {}; closest: \"{}\"", what, models::closest(name, names)));
-}
-
-void check_law(const Duration& duration, const std::string& pointer) {
-  try {
-    operations::check_duration(duration, pointer);
-  } catch (const models::DomainError& e) {
-    throw InputError(e.input(), e.what());
-  }
-}
-
-// A process that takes no time would repeat for ever at one instant.
-void check_takes_time(const Duration& duration, const std::string& pointer) {
-  check_law(duration, pointer);
-  if (mean_min(duration) < 1e-6)
-    fail(pointer, fmt::format("mean {} min", mean_min(duration)), "must have a mean of at least 1e-6 min");
-}
-
-void check_insert(const Insert& insert, const std::string& at) {
-  const EdgeLife& life = insert.edge_life;
-  if (life.law == models::LifeLawKind::normal && life.cv > 0.45)
-    fail(at + "/edge_life/cv", fmt::format("{}", life.cv), "allowed 0.05 <= cv <= 0.45 for the normal law");
-}
-
-void check_tool(const Scenario& s, const Tool& tool, const std::string& at) {
-  check_reference(s.inserts, tool.insert, at + "/insert", "insert");
-  check_reference(s.crews, tool.crew, at + "/crew", "crew");
-  check_law(tool.change.index, at + "/change/index");
-  check_law(tool.change.replace, at + "/change/replace");
-  const EdgeLife& life = find_named(s.inserts, tool.insert)->edge_life;
-  const auto gamma = gamma_of(tool.strategy);
-  if (!gamma) return;
-  const models::LifeLaw unit(life.law, 1.0, life.cv);
-  if (!(unit.gamma_percent_life(*gamma) > 1e-6))
-    fail(at + "/strategy/gamma", fmt::format("{}", *gamma),
-         fmt::format("leaves a scheduled period of zero for the life of insert \"{}\"; lower it",
-                     tool.insert));
-}
-
-void check_operation(const Scenario& s, const Operation& operation, const std::string& at) {
-  check_reference(s.machines, operation.machine, at + "/machine", "machine");
-  if (!operation.tool.empty()) check_reference(s.tools, operation.tool, at + "/tool", "tool");
-  if (const auto* plain = operation.process.as<operations::PlainOperation>())
-    check_law(plain->time, at + "/process/time");
-  operations::CutPlan plan;
-  try {
-    plan = scenarios::plan(s, operation);
-  } catch (const models::ModelError& e) {
-    throw InputError(at + "/process", fmt::format("{}/process cannot be planned: {}", at, e.what()));
-  }
-  if (plan.main_time_min < 1e-6)
-    fail(at + "/process", fmt::format("{} min", plan.main_time_min), "must take at least 1e-6 min");
-}
-
-void check_part(const Scenario& s, const PartType& part, const std::string& at) {
-  for (std::size_t k = 0; k < part.route.size(); ++k)
-    check_reference(s.operations, part.route[k], fmt::format("{}/route/{}", at, k), "operation");
-  check_reference(s.stores, part.store, at + "/store", "store");
-  if (const auto* arrivals = std::get_if<Interarrival>(&part.supply))
-    check_takes_time(arrivals->time, at + "/supply/time");
-}
-
 template <class T, class Check>
 void check_each(const std::vector<T>& all, const std::string& list, Check&& check) {
   for (std::size_t k = 0; k < all.size(); ++k) check(all[k], fmt::format("{}/{}", list, k));
 }
 
 void check_whole(const Scenario& s) {
-  check_names(s.inserts, "/inserts");
-  check_names(s.tools, "/tools");
-  check_names(s.crews, "/crews");
-  check_names(s.machines, "/machines");
-  check_names(s.operations, "/operations");
-  check_names(s.stores, "/stores");
-  check_names(s.parts, "/parts");
-  check_each(s.inserts, "/inserts", check_insert);
-  check_each(s.tools, "/tools", [&](const Tool& t, const std::string& at) { check_tool(s, t, at); });
-  check_each(s.operations, "/operations",
-             [&](const Operation& o, const std::string& at) { check_operation(s, o, at); });
-  check_each(s.parts, "/parts", [&](const PartType& p, const std::string& at) { check_part(s, p, at); });
+  check_names(names_of(s.inserts), "/inserts");
+  check_names(names_of(s.tools), "/tools");
+  check_names(names_of(s.calendars), "/calendars");
+  check_names(names_of(s.crews), "/crews");
+  check_names(names_of(s.spares), "/spares");
+  check_names(names_of(s.machines), "/machines");
+  check_names(names_of(s.operations), "/operations");
+  check_names(names_of(s.stores), "/stores");
+  check_names(names_of(s.parts), "/parts");
+  check_names(names_of(s.transport), "/transport");
+  using Text = const std::string&;
+  check_each(s.inserts, "/inserts", [&](const Insert& x, Text at) { check_insert(s, x, at); });
+  check_each(s.tools, "/tools", [&](const Tool& x, Text at) { check_tool(s, x, at); });
+  check_each(s.calendars, "/calendars", check_calendar);
+  check_each(s.crews, "/crews", [&](const Crew& x, Text at) { check_crew(s, x, at); });
+  check_each(s.spares, "/spares", check_spare);
+  check_each(s.machines, "/machines", [&](const Machine& x, Text at) { check_machine(s, x, at); });
+  check_each(s.operations, "/operations", [&](const Operation& x, Text at) { check_operation(s, x, at); });
+  check_each(s.tools, "/tools", [&](const Tool& x, Text at) { check_tool_use(s, x, at); });
+  check_each(s.machines, "/machines", [&](const Machine& x, Text at) { check_magazine(s, x, at); });
+  check_each(s.parts, "/parts", [&](const PartType& x, Text at) { check_part(s, x, at); });
+  check_each(s.stores, "/stores", [&](const Store& x, Text at) { check_store(s, x, at); });
+  check_each(s.transport, "/transport", [&](const Transport& x, Text at) { check_transport(s, x, at); });
   const SimulationSettings& run = s.simulation;
   if (run.warmup_min >= run.horizon_min)
     fail("/simulation/warmup_min", fmt::format("{}", run.warmup_min),
          fmt::format("must be below horizon_min = {}: nothing would be counted", run.horizon_min));
+  std::vector<bool> busy(s.machines.size(), false);
+  for (const Operation& operation : s.operations)
+    for (const std::size_t g : groups_of(s, operation)) busy[g] = true;
   for (std::size_t k = 0; k < s.machines.size(); ++k)
-    if (std::none_of(s.operations.begin(), s.operations.end(),
-                     [&](const Operation& o) { return o.machine == s.machines[k].name; }))
+    if (!busy[k])
       fail(fmt::format("/machines/{}/name", k), quoted(s.machines[k].name),
            "has no operation to do: no operation names it");
+  check_layout(s);
+  check_capacity(s);
 }
 
 }  // namespace

@@ -11,7 +11,8 @@ struct verstat::models::StructFields<verstat::scenarios::OperationFile> {
     return {may<S>(&S::description, "description", "-", no_range(), "what it shows"),
             need<S>(&S::process, "process", "-", no_range(), "what is done"),
             may<S>(&S::edge_life, "edge_life", "-", no_range(), "life of the tool's edge"),
-            may<S>(&S::machine_limits, "machine_limits", "-", no_range(), "what the machine can do")};
+            may<S>(&S::machine_limits, "machine_limits", "-", no_range(), "what the machine can do"),
+            may<S>(&S::spindle, "spindle", "-", no_range(), "dynamics of the machine's spindle")};
   }
 };
 
@@ -22,7 +23,9 @@ using operations::CutPlan;
 using operations::Quantity;
 
 CutPlan OperationFile::plan() const {
-  return process.plan({.edge = edge_life ? &*edge_life : nullptr, .machine = &machine_limits});
+  return process.plan({.edge = edge_life ? &*edge_life : nullptr,
+                       .machine = &machine_limits,
+                       .spindle = spindle ? &*spindle : nullptr});
 }
 
 OperationFile load_operation(const nlohmann::json& file) {
@@ -80,6 +83,32 @@ ordered_json to_json(const CutPlan& plan, bool explain) {
                          {"high", b.high}, {"unit", b.unit},   {"inside", b.inside()}};
     if (explain) band["origin"] = b.origin;
     j["forbidden_bands"].push_back(std::move(band));
+  }
+  if (plan.detection) {
+    j["detection"] = {{"defective_share", plan.detection->defective_share},
+                      {"sensitivity", plan.detection->sensitivity},
+                      {"specificity", plan.detection->specificity}};
+    if (explain) j["detection"]["origin"] = plan.detection->origin;
+  }
+  if (plan.lot) {
+    const auto law = models::detail::Binding<models::LifeLawKind>::write(plan.lot->law);
+    j["prepared_lot"] = {{"law", to_json(law)},
+                         {"life_factor", plan.lot->life_factor},
+                         {"cv", plan.lot->cv},
+                         {"breakage_fraction", plan.lot->breakage_fraction},
+                         {"delivered_per_prepared", plan.lot->delivered_per_prepared},
+                         {"added_cost_per_insert", plan.lot->added_cost_per_insert},
+                         {"edges_used_by_test", plan.lot->edges_used_by_test}};
+    if (explain) j["prepared_lot"]["origin"] = plan.lot->origin;
+  }
+  if (plan.overload) {
+    j["overload"] = {{"trips_per_part", plan.overload->trips_per_part},
+                     {"breaks_per_part", plan.overload->breaks_per_part},
+                     {"trip_probability", plan.overload->trip_probability},
+                     {"break_probability", plan.overload->break_probability},
+                     {"reset_min", plan.overload->reset_min},
+                     {"self_reset", plan.overload->self_reset}};
+    if (explain) j["overload"]["origin"] = plan.overload->origin;
   }
   j["consumables"] = ordered_json::array();
   for (const Quantity& q : plan.consumables) j["consumables"].push_back(quantity_json(q, explain));

@@ -7,15 +7,18 @@
 #include <nlohmann/json.hpp>
 
 #include "operations/kind.h"
+#include "operations/spindle.h"
 
 namespace verstat::scenarios {
 
-/// {"process": {"kind": ...}, "edge_life": {...}, "machine_limits": {...}}; the last two are optional.
+/// {"process": {"kind": ...}, "edge_life": {...}, "machine_limits": {...}, "spindle": {...}}; the last three
+/// are optional.
 struct OperationFile {
   std::string description;
   operations::Process process;
   std::optional<operations::EdgeLife> edge_life;
   operations::MachineLimits machine_limits;
+  std::optional<operations::Spindle> spindle;
 
   /// Throws models::ModelError or models::DomainError when the process models refuse the specification.
   [[nodiscard]] operations::CutPlan plan() const;

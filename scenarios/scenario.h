@@ -2,8 +2,8 @@
 // What a shop is: plain data, as the JSON file says it. Parts follow routes over machines that hold tools
 // served by crews; those nouns are the keys of the file.
 //
-// The description of every member (name, unit, range, default, meaning) stands in scenario.cpp, once: the
-// loader, the JSON Schema, the forms and the reference page are made from it.
+// The description of every member (name, unit, range, default, meaning) stands in the *_fields.cpp files,
+// once: the loader, the JSON Schema, the forms and the reference page are made from it.
 
 #include <cstdint>
 #include <optional>
@@ -12,131 +12,13 @@
 #include <vector>
 
 #include "models/catalogue/field.h"
-#include "operations/edge_life.h"
 #include "operations/kind.h"
+#include "scenarios/flow.h"
+#include "scenarios/machines.h"
+#include "scenarios/people.h"
+#include "scenarios/tooling.h"
 
 namespace verstat::scenarios {
-
-using operations::Duration;
-using operations::ExponentialDuration;
-using operations::mean_min;
-
-// --------------------------------------------------------------------------------------- inserts and their
-// life
-using operations::EdgeLife;
-
-struct Insert {
-  std::string name;
-  std::string grade;
-  std::int64_t edges = 2;
-  double price = 0;
-  EdgeLife edge_life;
-  double reserve_ok_probability = 1;   ///< a failed edge leaves the next one usable
-  double single_edge_probability = 0;  ///< a fitted insert has only one usable edge
-  std::string provenance;              ///< where the numbers come from
-};
-
-// --------------------------------------------------------------------------------------------------
-// strategies
-struct RunToFailure {
-  static constexpr const char* kind = "run_to_failure";
-};
-/// Change an edge at its gamma-percent life or at failure.
-struct AgeReplacement {
-  static constexpr const char* kind = "age";
-  double gamma = 0.64;
-};
-/// Change after the whole parts that fit into the gamma-percent life, or at failure.
-struct PartCountReplacement {
-  static constexpr const char* kind = "part_count";
-  double gamma = 0.64;
-};
-/// Change every gamma-percent life of cutting, whatever the age of the edge; failures in between.
-struct BlockReplacement {
-  static constexpr const char* kind = "block";
-  double gamma = 0.64;
-};
-using Strategy = std::variant<RunToFailure, AgeReplacement, PartCountReplacement, BlockReplacement>;
-/// Reliability level of a strategy; none for run to failure.
-[[nodiscard]] std::optional<double> gamma_of(const Strategy& strategy);
-
-/// When the price of an insert is booked.
-enum class InsertBooking {
-  life_periods,  ///< price / periods at every change (K117): planned and failure changes waste different
-                 ///< shares
-  at_fitting     ///< the whole price when an insert is fitted
-};
-
-struct ToolChange {
-  Duration index = ExponentialDuration{0.3};    ///< turn the insert to its next edge
-  Duration replace = ExponentialDuration{0.3};  ///< fit a new insert
-  double positioning_min = 0;                   ///< on top of both: approach, trial cut, measuring
-  double failure_extra_min = 0;                 ///< on top of both after a failure
-};
-
-struct Tool {
-  std::string name;
-  std::string insert;
-  Strategy strategy = AgeReplacement{};
-  std::string crew;  ///< who changes edges
-  ToolChange change;
-  InsertBooking insert_booking = InsertBooking::life_periods;
-  double periods_planned = 4;
-  double periods_failure = 2;
-  double regrind_planned = 0;
-  double regrind_failure = 0;
-  double failure_damage = 0;  ///< holder, shim, rework: money per failure
-  double failure_scrap_probability = 0;
-};
-
-// ------------------------------------------------------------------------------------- people, machines,
-// parts
-enum class CrewPay {
-  busy,  ///< paid for the minutes worked (K117)
-  shift  ///< paid for the whole scheduled time
-};
-struct Crew {
-  std::string name;
-  std::int64_t members = 1;
-  double rate_per_min = 0;
-  CrewPay pay = CrewPay::busy;
-};
-
-struct Machine {
-  std::string name;
-  std::string model;
-  std::int64_t count = 1;
-  double rate_per_min = 0;
-  operations::MachineLimits limits;
-};
-
-struct Operation {
-  std::string name;
-  std::string machine;
-  std::string tool;  ///< empty: no tool that wears
-  operations::Process process;
-};
-
-struct AlwaysAvailable {
-  static constexpr const char* kind = "always_available";
-};
-struct Interarrival {
-  static constexpr const char* kind = "interarrival";
-  Duration time;
-};
-using Supply = std::variant<AlwaysAvailable, Interarrival>;
-
-struct PartType {
-  std::string name;
-  Supply supply;
-  std::vector<std::string> route;  ///< names of operations
-  double value = 0;                ///< lost when the part is scrapped
-  std::string store;               ///< where good parts go
-};
-
-struct Store {
-  std::string name;
-};
 
 // ---------------------------------------------------------------------------------------------------- the
 // whole
@@ -145,11 +27,21 @@ struct Seed {
   std::uint64_t value = 1;
 };
 
+/// What a planned insert change counts as in the OEE.
+enum class PlannedChange {
+  setup,            ///< an availability loss, with the set-ups
+  delay,            ///< an availability loss, with the stops (ISO 22400: delay time)
+  planned_downtime  ///< outside the planned busy time
+};
+
 struct SimulationSettings {
   double horizon_min = 120'000;
   double warmup_min = 0;
   std::int64_t replications = 20;
   Seed seed;
+  PlannedChange planned_change = PlannedChange::delay;
+  bool allow_overload = false;  ///< simulate a shop that cannot keep up with its demand
+  double unattended_min = 480;  ///< interval whose chance of passing without a stop is reported
 };
 
 struct Scenario {
@@ -159,16 +51,28 @@ struct Scenario {
   SimulationSettings simulation;
   std::vector<Insert> inserts;
   std::vector<Tool> tools;
+  std::vector<Calendar> calendars;
   std::vector<Crew> crews;
+  std::vector<Spare> spares;
   std::vector<Machine> machines;
   std::vector<Operation> operations;
   std::vector<Store> stores;
   std::vector<PartType> parts;
+  std::vector<Transport> transport;
+  std::vector<LayoutEdge> layout;
+  double energy_price_per_kwh = 0;
 };
 
-/// The plan of an operation with the tool and the machine that the scenario gives it.
+/// The plan of an operation on a machine, with the tool that the scenario gives it.
 /// Throws models::ModelError when its process models refuse the specification.
+[[nodiscard]] operations::CutPlan plan(const Scenario& scenario, const Operation& operation,
+                                       const Machine& machine);
+/// The same on the first of its machine groups.
 [[nodiscard]] operations::CutPlan plan(const Scenario& scenario, const Operation& operation);
+
+/// Indices of the machine groups that can do the operation, in the order in which they are named (a
+/// capability: in the order of the scenario).
+[[nodiscard]] std::vector<std::size_t> groups_of(const Scenario& scenario, const Operation& operation);
 
 /// The members of a scenario, for the loader, the schema and the reference page.
 [[nodiscard]] const std::vector<models::Field>& scenario_fields();

@@ -2,20 +2,20 @@
 #include <charconv>
 
 #include "operations/fields.h"
+#include "scenarios/flow_fields.h"
+#include "scenarios/machines_fields.h"
 #include "scenarios/scenario.h"
+#include "scenarios/tooling_fields.h"
 
 namespace verstat::models {
 
 using namespace scenarios;
 
 template <>
-struct EnumNames<InsertBooking> {
-  static constexpr std::array names{std::pair{InsertBooking::life_periods, "life_periods"},
-                                    std::pair{InsertBooking::at_fitting, "at_fitting"}};
-};
-template <>
-struct EnumNames<CrewPay> {
-  static constexpr std::array names{std::pair{CrewPay::busy, "busy"}, std::pair{CrewPay::shift, "shift"}};
+struct EnumNames<PlannedChange> {
+  static constexpr std::array names{std::pair{PlannedChange::setup, "setup"},
+                                    std::pair{PlannedChange::delay, "delay"},
+                                    std::pair{PlannedChange::planned_downtime, "planned_downtime"}};
 };
 
 template <>
@@ -37,145 +37,6 @@ struct detail::Binding<Seed> {
   static TypeInfo type() { return {.kind = TypeInfo::Kind::text}; }
 };
 
-namespace {
-constexpr Range money = closed(0, 1e12);
-}  // namespace
-
-template <>
-struct StructFields<Insert> {
-  static std::vector<Field> fields() {
-    return {need<Insert>(&Insert::name, "name", "-", no_range(), "name that tools refer to"),
-            may<Insert>(&Insert::grade, "grade", "-", no_range(), "carbide grade or cutting material"),
-            may<Insert>(&Insert::edges, "edges", "1", closed(1, 16), "cutting edges of one insert"),
-            need<Insert>(&Insert::price, "price", "money", money, "price of one insert"),
-            need<Insert>(&Insert::edge_life, "edge_life", "-", no_range(), "life of one edge"),
-            may<Insert>(&Insert::reserve_ok_probability, "reserve_ok_probability", "1", probability(),
-                        "chance that a failed edge leaves the next one usable"),
-            may<Insert>(&Insert::single_edge_probability, "single_edge_probability", "1", probability(),
-                        "chance that a fitted insert has only one usable edge"),
-            may<Insert>(&Insert::provenance, "provenance", "-", no_range(), "where the numbers come from")};
-  }
-};
-
-template <>
-struct StructFields<RunToFailure> {
-  static std::vector<Field> fields() { return {}; }
-};
-template <class S>
-requires std::same_as<S, AgeReplacement> || std::same_as<S, PartCountReplacement> ||
-    std::same_as<S, BlockReplacement>
-struct StructFields<S> {
-  static std::vector<Field> fields() {
-    return {need<S>(&S::gamma, "gamma", "1", closed(0.01, 0.99),
-                    "reliability level: probability that an edge survives its scheduled period")};
-  }
-};
-
-template <>
-struct StructFields<ToolChange> {
-  static std::vector<Field> fields() {
-    return {may<ToolChange>(&ToolChange::index, "index", "min", no_range(),
-                            "time to turn the insert to its next edge"),
-            may<ToolChange>(&ToolChange::replace, "replace", "min", no_range(), "time to fit a new insert"),
-            may<ToolChange>(&ToolChange::positioning_min, "positioning_min", "min", closed(0, 1e6),
-                            "added to every change: approach, trial cut, measuring"),
-            may<ToolChange>(&ToolChange::failure_extra_min, "failure_extra_min", "min", closed(0, 1e6),
-                            "added to a change after a failure")};
-  }
-};
-
-template <>
-struct StructFields<Tool> {
-  static std::vector<Field> fields() {
-    return {
-        need<Tool>(&Tool::name, "name", "-", no_range(), "name that operations refer to"),
-        need<Tool>(&Tool::insert, "insert", "-", no_range(), "name of the insert it holds"),
-        may<Tool>(&Tool::strategy, "strategy", "-", no_range(), "when an edge is changed"),
-        need<Tool>(&Tool::crew, "crew", "-", no_range(), "name of the crew that changes edges"),
-        may<Tool>(&Tool::change, "change", "-", no_range(), "how long a change takes"),
-        may<Tool>(&Tool::insert_booking, "insert_booking", "-", no_range(),
-                  "when the price of an insert is booked"),
-        may<Tool>(&Tool::periods_planned, "periods_planned", "1", open_low(0, 1000),
-                  "life periods one insert yields when changed as planned"),
-        may<Tool>(&Tool::periods_failure, "periods_failure", "1", open_low(0, 1000),
-                  "life periods one insert yields when run to failure"),
-        may<Tool>(&Tool::regrind_planned, "regrind_planned", "money", money,
-                  "regrinding after a planned change"),
-        may<Tool>(&Tool::regrind_failure, "regrind_failure", "money", money, "regrinding after a failure"),
-        may<Tool>(&Tool::failure_damage, "failure_damage", "money", money,
-                  "holder, shim and rework per failure"),
-        may<Tool>(&Tool::failure_scrap_probability, "failure_scrap_probability", "1", probability(),
-                  "chance that a failure scraps the part in the machine")};
-  }
-};
-
-template <>
-struct StructFields<Crew> {
-  static std::vector<Field> fields() {
-    return {
-        need<Crew>(&Crew::name, "name", "-", no_range(), "name that tools refer to"),
-        may<Crew>(&Crew::members, "members", "1", closed(1, 10'000), "people who can work at the same time"),
-        may<Crew>(&Crew::rate_per_min, "rate_per_min", "money/min", money, "wage of one member"),
-        may<Crew>(&Crew::pay, "pay", "-", no_range(), "paid for the minutes worked or for the whole shift")};
-  }
-};
-
-template <>
-struct StructFields<Machine> {
-  static std::vector<Field> fields() {
-    return {
-        need<Machine>(&Machine::name, "name", "-", no_range(), "name that operations refer to"),
-        may<Machine>(&Machine::model, "model", "-", no_range(), "maker's model"),
-        may<Machine>(&Machine::count, "count", "1", closed(1, 10'000), "number of identical machines"),
-        may<Machine>(&Machine::rate_per_min, "rate_per_min", "money/min", money, "cost of a machine minute"),
-        may<Machine>(&Machine::limits, "limits", "-", no_range(), "what the machine can do")};
-  }
-};
-
-template <>
-struct StructFields<Operation> {
-  static std::vector<Field> fields() {
-    return {need<Operation>(&Operation::name, "name", "-", no_range(), "name that routes refer to"),
-            need<Operation>(&Operation::machine, "machine", "-", no_range(),
-                            "name of the machine group that does it"),
-            may<Operation>(&Operation::tool, "tool", "-", no_range(),
-                           "name of the tool; empty: nothing that wears"),
-            need<Operation>(&Operation::process, "process", "-", no_range(),
-                            "what is done: a process model or a plain duration")};
-  }
-};
-
-template <>
-struct StructFields<AlwaysAvailable> {
-  static std::vector<Field> fields() { return {}; }
-};
-template <>
-struct StructFields<Interarrival> {
-  static std::vector<Field> fields() {
-    return {need<Interarrival>(&Interarrival::time, "time", "min", no_range(), "time between arrivals")};
-  }
-};
-
-template <>
-struct StructFields<PartType> {
-  static std::vector<Field> fields() {
-    return {need<PartType>(&PartType::name, "name", "-", no_range(), "name of the part"),
-            may<PartType>(&PartType::supply, "supply", "-", no_range(), "how blanks come"),
-            entries(need<PartType>(&PartType::route, "route", "-", no_range(),
-                                   "names of the operations in order"),
-                    1, 1000),
-            may<PartType>(&PartType::value, "value", "money", money, "what a scrapped part loses"),
-            need<PartType>(&PartType::store, "store", "-", no_range(), "name of the store for good parts")};
-  }
-};
-
-template <>
-struct StructFields<Store> {
-  static std::vector<Field> fields() {
-    return {need<Store>(&Store::name, "name", "-", no_range(), "name that parts refer to")};
-  }
-};
-
 template <>
 struct StructFields<SimulationSettings> {
   static std::vector<Field> fields() {
@@ -186,7 +47,14 @@ struct StructFields<SimulationSettings> {
             may<SimulationSettings>(&SimulationSettings::replications, "replications", "1",
                                     closed(1, 100'000), "independent repetitions with other random numbers"),
             may<SimulationSettings>(&SimulationSettings::seed, "seed", "-", no_range(),
-                                    "seed of all random streams, 64 bits, as a text")};
+                                    "seed of all random streams, 64 bits, as a text"),
+            may<SimulationSettings>(&SimulationSettings::planned_change, "planned_change", "-", no_range(),
+                                    "what planned insert changes count as in the OEE"),
+            may<SimulationSettings>(&SimulationSettings::allow_overload, "allow_overload", "-", no_range(),
+                                    "simulate a shop that cannot keep up with its demand"),
+            may<SimulationSettings>(&SimulationSettings::unattended_min, "unattended_min", "min",
+                                    open_low(0, 1e9),
+                                    "interval whose chance of passing without a stop is reported")};
   }
 };
 
@@ -199,6 +67,9 @@ struct StructFields<Scenario> {
             may<Scenario>(&Scenario::simulation, "simulation", "-", no_range(), "how it is simulated"),
             entries(may<Scenario>(&Scenario::inserts, "inserts", "-", no_range(), "inserts"), 0, 10'000),
             entries(may<Scenario>(&Scenario::tools, "tools", "-", no_range(), "tools"), 0, 10'000),
+            entries(may<Scenario>(&Scenario::calendars, "calendars", "-", no_range(), "shifts and holidays"),
+                    0, 1000),
+            entries(may<Scenario>(&Scenario::spares, "spares", "-", no_range(), "spare parts"), 0, 10'000),
             entries(may<Scenario>(&Scenario::crews, "crews", "-", no_range(), "crews"), 0, 10'000),
             entries(need<Scenario>(&Scenario::machines, "machines", "-", no_range(),
                                    "groups of identical machines"),
@@ -207,7 +78,14 @@ struct StructFields<Scenario> {
                     10'000),
             entries(need<Scenario>(&Scenario::stores, "stores", "-", no_range(), "stores of finished parts"),
                     1, 10'000),
-            entries(need<Scenario>(&Scenario::parts, "parts", "-", no_range(), "types of part"), 1, 10'000)};
+            entries(need<Scenario>(&Scenario::parts, "parts", "-", no_range(), "types of part"), 1, 10'000),
+            entries(may<Scenario>(&Scenario::transport, "transport", "-", no_range(),
+                                  "how batches go from place to place; the first entry that fits"),
+                    0, 10'000),
+            entries(may<Scenario>(&Scenario::layout, "layout", "-", no_range(), "ways between places"), 0,
+                    100'000),
+            may<Scenario>(&Scenario::energy_price_per_kwh, "energy_price_per_kwh", "money/kWh",
+                          closed(0, 1e6), "price of energy")};
   }
 };
 

@@ -46,6 +46,11 @@ void put_range(ordered_json& schema, const models::Range& range) {
 }
 
 ordered_json schema_of(const TypeInfo& type, const Field& field) {
+  if (type.nullable) {
+    TypeInfo present = type;
+    present.nullable = false;
+    return {{"anyOf", {schema_of(present, field), {{"type", "null"}}}}};
+  }
   ordered_json schema;
   switch (type.kind) {
     case TypeInfo::Kind::number:

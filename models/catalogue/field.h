@@ -229,6 +229,12 @@ struct Binding<std::optional<T>> {
     if (x) Binding<T>::check(*x, f);
   }
   static bool finite(const std::optional<T>& x) { return !x || Binding<T>::finite(*x); }
+  static double* locate(std::optional<T>& x, std::span<const std::string> path) {
+    if constexpr (requires(T & t) { Binding<T>::locate(t, path); })
+      return x ? Binding<T>::locate(*x, path) : nullptr;
+    else
+      return nullptr;
+  }
   static TypeInfo type() {
     TypeInfo info = Binding<T>::type();
     info.nullable = true;

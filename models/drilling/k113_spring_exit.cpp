@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "models/drilling/k113_through_hole_feed_change.h"
+#include "models/math/gauss_legendre.h"
 #include "models/math/trig_degrees.h"
 
 namespace verstat::models::k113 {
@@ -25,18 +26,32 @@ double zone_time_min(const SpringExitInputs& in, double compression_mm, double x
   return u == 0 ? -scale_min * log_xi : scale_min * std::expm1(u * log_xi) / -u;
 }
 
-// Integral (C3) over the height of the point, by the card's midpoint rule.
+// Integral (C3) over the height of the point. The feed ratio is (force/engaged)^(1/e) up to its cap; both are
+// linear in the share 1 - s = w^3 of the point that is still in, so they meet the cap at most once, and w
+// makes the root at the tip smooth. Panels shrink towards the tip, where a spring that just suffices changes
+// fast.
 double exit_time_min(const SpringExitInputs& in, double compression_mm) {
-  constexpr int panels = 20000;
-  const double beyond_zone_mm = compression_mm - in.zone_mm;
-  double sum = 0;
-  for (int k = 0; k < panels; ++k) {
-    const double s = (k + 0.5) / panels;
-    const double force = (beyond_zone_mm - s * in.point_height_mm) / compression_mm;
-    const double engaged = (1 - in.chisel_share) * (1 - s);
-    sum += 1 / std::min(std::pow(force / engaged, 1 / in.exp_feed), in.feed_cap_ratio);
+  const double left_mm = compression_mm - in.zone_mm - in.point_height_mm;  // of the compression at the end
+  const double engaged_at_1 = (1 - in.chisel_share) * compression_mm;
+  // engaged / force at the share u that is still in; grows with u.
+  const auto slowness = [&](double u) { return engaged_at_1 * u / (left_mm + u * in.point_height_mm); };
+  const double capped_slowness = std::pow(in.feed_cap_ratio, -in.exp_feed);
+  // slowness(u) = capped_slowness
+  const double slope = engaged_at_1 - capped_slowness * in.point_height_mm;
+  double cap_share = 1;  // below it the cap rules
+  if (slowness(1) > capped_slowness)
+    cap_share = slope > 0 ? std::clamp(capped_slowness * left_mm / slope, 0.0, 1.0) : 1;
+  double sum = cap_share / in.feed_cap_ratio;
+  const double from = std::cbrt(cap_share);
+  double low = from;
+  for (const double mark : {0.01, 0.03, 0.1, 0.25, 0.5, 1.0}) {
+    if (mark <= low) continue;
+    sum +=
+        integrate_gauss([&](double w) { return 3 * w * w * std::pow(slowness(w * w * w), 1 / in.exp_feed); },
+                        low, mark, gauss_legendre_24());
+    low = mark;
   }
-  return in.point_height_mm * sum / panels / (in.rpm * in.feed_mm_rev);
+  return in.point_height_mm * sum / (in.rpm * in.feed_mm_rev);
 }
 
 double given(const std::optional<double>& value, const char* name) {

@@ -86,27 +86,68 @@ std::vector<Position> positions_of(const SplitCut& in) {
   return positions;
 }
 
-struct Instant {
-  double force_n = 0;
-  double moment_n_m = 0;
-  std::int64_t inserts = 0;
-};
+// Force and moment at `midpoints` instants of the period between two groups. Positions lag by shares of the
+// period, so that most of them meet the same angles: sin^p is tabled once for every offset from the grid.
+class Instants {
+ public:
+  static constexpr int midpoints = 7200;
+  Instants(double period_rad, double exponent)
+      : step_(period_rad / midpoints),
+        exponent_(exponent),
+        force_n_(midpoints),
+        moment_n_m_(midpoints),
+        inserts_(midpoints) {}
 
-// Adds the inserts in contact when the first position of the first group stands at `turn`.
-void add_inserts(Instant& at, const std::vector<Position>& positions, double turn, double period,
-                 double exponent) {
-  for (const Position& p : positions) {
-    double angle = std::fmod(turn - p.lag_rad, period);
-    if (angle < 0) angle += period;
-    for (; angle <= p.exit_rad; angle += period) {
-      if (!(angle > 0)) continue;
-      const double force_n = p.factor_n * std::pow(std::sin(angle), exponent);
-      at.force_n += force_n;
-      at.moment_n_m += force_n * p.arm_m;
-      ++at.inserts;
+  // A position that is at angle 0 when the cutter has turned by `lag_rad`.
+  void add(const Position& p, double lag_rad) {
+    // Angle at instant i: step (i + 0.5 - lag / step), brought into one period.
+    double shift = -lag_rad / step_;
+    shift -= midpoints * std::floor(shift / midpoints);
+    double whole = std::floor(shift);
+    double rest = shift - whole;
+    if (rest > 1 - same) {
+      whole += 1;
+      rest = 0;
+    }
+    const std::vector<double>& powers = powers_up_to(p.exit_rad, rest < same ? 0 : rest);
+    // Instants before the one at which the angle starts again.
+    const auto first = static_cast<std::size_t>(whole) % midpoints;
+    for (std::size_t j = 0; j < powers.size(); ++j) {
+      if (!(angle(j, rest) <= p.exit_rad)) break;
+      const std::size_t i = (j + midpoints - first) % midpoints;
+      const double force_n = p.factor_n * powers[j];
+      force_n_[i] += force_n;
+      moment_n_m_[i] += force_n * p.arm_m;
+      ++inserts_[i];
     }
   }
-}
+  [[nodiscard]] const std::vector<double>& force_n() const { return force_n_; }
+  [[nodiscard]] const std::vector<double>& moment_n_m() const { return moment_n_m_; }
+  [[nodiscard]] const std::vector<std::int64_t>& inserts() const { return inserts_; }
+
+ private:
+  static constexpr double same = 1e-9;
+  struct Table {
+    double rest;
+    std::vector<double> powers;
+  };
+  [[nodiscard]] double angle(std::size_t j, double rest) const {
+    return step_ * (static_cast<double>(j) + 0.5 + rest);
+  }
+  const std::vector<double>& powers_up_to(double exit_rad, double rest) {
+    auto table = std::find_if(tables_.begin(), tables_.end(),
+                              [&](const Table& t) { return std::abs(t.rest - rest) < same; });
+    if (table == tables_.end()) table = tables_.insert(tables_.end(), Table{rest, {}});
+    while (angle(table->powers.size(), rest) <= exit_rad)
+      table->powers.push_back(
+          std::pow(std::max(0.0, std::sin(angle(table->powers.size(), rest))), exponent_));
+    return table->powers;
+  }
+  double step_, exponent_;
+  std::vector<double> force_n_, moment_n_m_;
+  std::vector<std::int64_t> inserts_;
+  std::vector<Table> tables_;
+};
 
 }  // namespace
 
@@ -211,20 +252,23 @@ SplitForce split_scheme_force(const SplitCut& in) {
     const double exponent = 1 - in.mc;
     const double period = 2 * pi / static_cast<double>(in.groups);
     const double second_lead = in.second_cutter_offset_deg * rad_per_deg;
-    constexpr int midpoints = 7200;
+    Instants at(period, exponent);
+    for (const Position& p : positions) {
+      at.add(p, p.lag_rad);
+      if (in.second_cutter_offset_deg >= 0) at.add(p, p.lag_rad - second_lead);
+    }
+    constexpr int midpoints = Instants::midpoints;
     SplitForce out{0, 0, std::numeric_limits<double>::infinity(), 0, 0, 0};
     double moment_n_m = 0;
-    for (int i = 0; i < midpoints; ++i) {
-      const double turn = period * (i + 0.5) / midpoints;
-      Instant at;
-      add_inserts(at, positions, turn, period, exponent);
-      if (in.second_cutter_offset_deg >= 0) add_inserts(at, positions, turn + second_lead, period, exponent);
-      out.peak_force_n = std::max(out.peak_force_n, at.force_n);
-      out.min_force_n = std::min(out.min_force_n, at.force_n);
-      out.mean_force_n += at.force_n / midpoints;
-      moment_n_m += at.moment_n_m / midpoints;
-      out.inserts_in_contact_max = std::max(out.inserts_in_contact_max, at.inserts);
+    for (std::size_t i = 0; i < midpoints; ++i) {
+      out.peak_force_n = std::max(out.peak_force_n, at.force_n()[i]);
+      out.min_force_n = std::min(out.min_force_n, at.force_n()[i]);
+      out.mean_force_n += at.force_n()[i];
+      moment_n_m += at.moment_n_m()[i];
+      out.inserts_in_contact_max = std::max(out.inserts_in_contact_max, at.inserts()[i]);
     }
+    out.mean_force_n /= midpoints;
+    moment_n_m /= midpoints;
     require(out.mean_force_n > 0, "depth_mm", in.depth_mm,
             "is too small: no insert is in contact at any of the 7200 instants");
     out.peak_to_mean = out.peak_force_n / out.mean_force_n;

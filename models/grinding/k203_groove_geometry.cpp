@@ -22,14 +22,27 @@ struct Vector {
 struct SurfacePoint {
   Vector at, normal;
 };
+// The section at one phi, to be asked at many theta.
+class GrooveSection {
+ public:
+  GrooveSection(const Groove& g, double phi)
+      : p_(g.lead_mm / (2 * std::numbers::pi)),
+        rho_(g.profile_radius_mm),
+        sin_phi_(std::sin(phi)),
+        cos_phi_(std::cos(phi)),
+        y_(g.center_radius_mm + g.profile_radius_mm * cos_phi_) {}
+  [[nodiscard]] SurfacePoint at(double theta) const {
+    const double s = std::sin(theta);
+    const double c = std::cos(theta);
+    return {{-y_ * s, y_ * c, rho_ * sin_phi_ + p_ * theta},
+            {p_ * sin_phi_ * c - y_ * cos_phi_ * s, y_ * cos_phi_ * c + p_ * sin_phi_ * s, y_ * sin_phi_}};
+  }
+
+ private:
+  double p_, rho_, sin_phi_, cos_phi_, y_;
+};
 SurfacePoint groove_surface(const Groove& g, double theta, double phi) {
-  const double p = g.lead_mm / (2 * std::numbers::pi);
-  const double y_section = g.center_radius_mm + g.profile_radius_mm * std::cos(phi);
-  const double s = std::sin(theta);
-  const double c = std::cos(theta);
-  return {{-y_section * s, y_section * c, g.profile_radius_mm * std::sin(phi) + p * theta},
-          {p * std::sin(phi) * c - y_section * std::cos(phi) * s,
-           y_section * std::cos(phi) * c + p * std::sin(phi) * s, y_section * std::sin(phi)}};
+  return GrooveSection(g, phi).at(theta);
 }
 
 void check_section(const Groove& g, double phi) {
@@ -72,14 +85,15 @@ WheelContactPoint wheel_contact(const Groove& g, double center_distance_mm, doub
                                 std::string_view input) {
   const double c = std::cos(tilt_deg * degree);
   const double s = std::sin(tilt_deg * degree);
+  const GrooveSection section(g, phi);
   const auto miss = [&](double theta) {
-    const auto [at, n] = groove_surface(g, theta, phi);
+    const auto [at, n] = section.at(theta);
     return (n.x * c + n.z * s) * (at.y - center_distance_mm) - n.y * (at.x * c + at.z * s);
   };
   const std::optional<double> theta = nearest_root(miss, 40 * degree);
   require(theta.has_value(), input, phi / degree,
           "must have a contact of wheel and groove within 40 deg of the line of centres");
-  const Vector at = groove_surface(g, *theta, phi).at;
+  const Vector at = section.at(*theta).at;
   return {*theta, std::hypot(at.x * c + at.z * s, at.y - center_distance_mm), -at.x * s + at.z * c};
 }
 
@@ -189,11 +203,7 @@ double tilt_of_radius(const CrossedWheel& in, double radius_mm, std::string_view
   require(radius_mm <= largest_mm, input, radius_mm,
           "must not be above the radius this wheel makes at 40 deg from the groove");
   // The radius dips slightly after the aligned position and rises from there: one root past the dip.
-  for (int k = 0; k < 100; ++k) {
-    const double middle = (low + high) / 2;
-    (envelope_radius_mm(in, middle) > radius_mm ? high : low) = middle;
-  }
-  return (low + high) / 2;
+  return find_root([&](double tilt) { return envelope_radius_mm(in, tilt) - radius_mm; }, low, high, 1e-15);
 }
 
 }  // namespace

@@ -65,15 +65,20 @@ class Section {
   [[nodiscard]] Level fill(int k, double work_speed_m_min) {
     const double grooves = 60 * wheel_->wheel_speed_m_s * unit_arc_mm_ /
                            (work_speed_m_min * wheel_->grain_spacing_mm * wheel_->grain_spacing_mm);
-    double covered_um = 0;  // of one mm of width
-    double root_from = std::sqrt(static_cast<double>(k));
+    while (static_cast<int>(roots_.size()) <= k)
+      roots_.push_back(std::sqrt(static_cast<double>(roots_.size())));
+    // Share of the width that is covered; of one mm, whose grooves are summed in um.
+    const double grooves_per_um = grooves / um_mm;
+    const double enough = wheel_->coverage;
+    double covered = 0;
+    double root_from = roots_[static_cast<std::size_t>(k)];
     for (int n = 1; n <= k; ++n) {
-      const double root_to = std::sqrt(static_cast<double>(k - n));
-      covered_um += grooves * (1 - covered_um / um_mm) * groove_sum(n) * (root_from - root_to);
+      const double root_to = roots_[static_cast<std::size_t>(k - n)];
+      covered += (1 - covered) * (grooves_per_um * groove_sum(n) * (root_from - root_to));
       root_from = root_to;
-      if (covered_um >= um_mm * wheel_->coverage) return {n, covered_um / um_mm};
+      if (covered >= enough) return {n, covered};
     }
-    return {std::nullopt, covered_um / um_mm};
+    return {std::nullopt, covered};
   }
 
   // Path of the section from first contact to point p of K.
@@ -89,6 +94,10 @@ class Section {
  private:
   // s_N = sum over i = 1..N of F(i) b((N - i + 1) dR), from eqs. (6), (8), (9); um.
   double groove_sum(int n) {
+    if (static_cast<int>(sums_um_.size()) < n) extend_sums(n);
+    return sums_um_[static_cast<std::size_t>(n) - 1];
+  }
+  void extend_sums(int n) {
     while (static_cast<int>(sums_um_.size()) < n) {
       const double next = static_cast<double>(sums_um_.size() + 1);
       shares_.push_back(layer_share(next, wheel_->interval_um, wheel_->weibull_m, wheel_->weibull_x0_um_m));
@@ -98,7 +107,6 @@ class Section {
       for (std::size_t i = 0; i < shares_.size(); ++i) sum += shares_[i] * widths_um_[shares_.size() - 1 - i];
       sums_um_.push_back(sum);
     }
-    return sums_um_[static_cast<std::size_t>(n) - 1];
   }
 
   const WheelSet* wheel_;
@@ -107,6 +115,7 @@ class Section {
   std::vector<double> shares_;
   std::vector<double> widths_um_;
   std::vector<double> sums_um_;
+  std::vector<double> roots_;  // sqrt(0), sqrt(1), ...
 };
 
 SurfaceAlongArc along_arc(Section& section, const CuttingRegime& in) {

@@ -75,16 +75,21 @@ double accepted_survival(double y, double rho, double reject) {
 
 // Moments of the life of accepted and rejected inserts as integrals over the normal score z of life. The
 // lives at the nodes are computed once for all reject fractions.
+// The trapezoidal rule converges faster than any power for such integrands: the transform of the selection
+// falls like exp(-(spread w)^2 / 2), which at w = 2 pi / step is below 1e-12 for a step of 0.85 spreads.
 class LifeBySelection {
  public:
-  LifeBySelection(double shape, double scale_min) : life_min_(panels + 1), weight_(panels + 1) {
-    for (int i = 0; i <= panels; ++i) {
+  LifeBySelection(double shape, double scale_min, double rho)
+      : panels_(static_cast<int>(std::ceil(2 * last / std::min(0.25, 0.85 * spread_of(rho))))),
+        step_(2 * last / panels_),
+        life_min_(static_cast<std::size_t>(panels_) + 1),
+        weight_(static_cast<std::size_t>(panels_) + 1) {
+    for (int i = 0; i <= panels_; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const double z = node(i);
       const double hazard = z < 0 ? -std::log1p(-normal_cdf(z)) : -std::log(normal_cdf(-z));
       life_min_[k] = scale_min * std::pow(hazard, 1 / shape);
-      const double simpson = i == 0 || i == panels ? 1 : i % 2 == 1 ? 4 : 2;
-      weight_[k] = simpson * step / 3 * normal_density(z);
+      weight_[k] = step_ * normal_density(z);
     }
   }
   struct Moments {
@@ -99,16 +104,15 @@ class LifeBySelection {
   }
 
  private:
-  static constexpr int panels = 2000;
   static constexpr double last = 8.5;
-  static constexpr double step = 2 * last / panels;
-  static double node(int i) { return -last + i * step; }
+  static double spread_of(double rho) { return std::sqrt((1 - rho) * (1 + rho)); }
+  [[nodiscard]] double node(int i) const { return -last + i * step_; }
 
   // `side` 1: scores above the limit, -1: below; `share` of the inserts on that side.
   [[nodiscard]] Moments moments(double rho, double limit, double side, double share) const {
-    const double spread = std::sqrt((1 - rho) * (1 + rho));
+    const double spread = spread_of(rho);
     Moments out{0, 0};
-    for (int i = 0; i <= panels; ++i) {
+    for (int i = 0; i <= panels_; ++i) {
       const auto k = static_cast<std::size_t>(i);
       const double chosen = weight_[k] * normal_cdf(side * (rho * node(i) - limit) / spread);
       out.first += chosen * life_min_[k];
@@ -117,6 +121,8 @@ class LifeBySelection {
     return {out.first / share, out.second / share};
   }
 
+  int panels_;
+  double step_;
   std::vector<double> life_min_;
   std::vector<double> weight_;
 };
@@ -129,7 +135,9 @@ double mean_life_min(double shape, double scale_min) {
 class Inspection {
  public:
   explicit Inspection(const InspectionPlan& in)
-      : in_(in), life_(in.shape, in.scale_min), mean_min_(mean_life_min(in.shape, in.scale_min)) {
+      : in_(in),
+        life_(in.shape, in.scale_min, in.rho_life),
+        mean_min_(mean_life_min(in.shape, in.scale_min)) {
     require(in.edges_used_by_test < in.edges_per_insert, "edges_used_by_test", in.edges_used_by_test,
             "must be below edges_per_insert");
     require(in.salvage_value <= in.insert_cost, "salvage_value", in.salvage_value,
@@ -298,7 +306,7 @@ ScreenedSurvival screened_survival(const ScreenedAtTime& in) {
 
 ScreenedLife screened_life(const ScreenedLifeIn& in) {
   return guarded<&screened_life>(in, [&] {
-    const LifeBySelection life(in.shape, in.scale_min);
+    const LifeBySelection life(in.shape, in.scale_min, in.rho);
     const auto accepted = life.accepted(in.rho, in.reject_fraction);
     ScreenedLife out{};
     out.mean_all_min = mean_life_min(in.shape, in.scale_min);

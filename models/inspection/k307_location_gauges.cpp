@@ -27,11 +27,12 @@ Elements mean_elements(const GaugeDesign& in) {
   return {(in.deviation_1_mm + in.deviation_2_mm) / 2, (in.wear_value_1_mm + in.wear_value_2_mm) / 2};
 }
 
-// Expectation of g(Z) for a standard normal Z over low..8, in panels of at most two sigmas.
+// Expectation of g(Z) for a standard normal Z over low..8, in panels of at most four sigmas: 24 points hold a
+// bell of that width to rounding.
 template <class G>
 double expectation(G&& g, double low, double high) {
   double sum = 0;
-  const int panels = std::max(1, static_cast<int>(std::ceil((high - low) / 2)));
+  const int panels = std::max(1, static_cast<int>(std::ceil((high - low) / 4)));
   const double width = (high - low) / panels;
   for (int k = 0; k < panels; ++k)
     sum += integrate_gauss([&](double z) { return normal_density(z) * g(z); }, low + k * width,

@@ -88,6 +88,35 @@ double ToothLoad::at(double psi) const {
   return sum / lag;
 }
 
+// Slope of the load of helical teeth, times the lag, between two events: leading ends in the arc add the
+// force at their angle, trailing ends take it away. Which ends are in the arc does not change between events.
+class ToothLoad::Slope {
+ public:
+  Slope(const ToothLoad& load, double inside) : power_(load.integral.power()) {
+    const double pitch = 2 * pi / static_cast<double>(load.teeth);
+    const auto in_arc = [&](double angle) { return angle > load.start && angle < load.exit; };
+    const double first = std::floor((load.start - inside) / pitch);
+    const double last = std::ceil((load.exit + load.lag - inside) / pitch);
+    for (double j = std::max(0.0, first); j <= last; ++j) {
+      if (in_arc(inside + j * pitch)) leading_.push_back(j * pitch);
+      if (in_arc(inside + j * pitch - load.lag)) trailing_.push_back(j * pitch - load.lag);
+    }
+  }
+  [[nodiscard]] bool constant() const { return leading_.empty() && trailing_.empty(); }
+  [[nodiscard]] double at(double psi) const {
+    double sum = 0;
+    for (const double offset : leading_) sum += force(psi + offset);
+    for (const double offset : trailing_) sum -= force(psi + offset);
+    return sum;
+  }
+
+ private:
+  [[nodiscard]] double force(double angle) const { return std::pow(std::max(0.0, std::sin(angle)), power_); }
+  double power_;
+  std::vector<double> leading_;
+  std::vector<double> trailing_;
+};
+
 double ToothLoad::peak() const {
   const double pitch = 2 * pi / static_cast<double>(teeth);
   std::vector<double> events{0, pitch};
@@ -100,34 +129,31 @@ double ToothLoad::peak() const {
   }
   std::sort(events.begin(), events.end());
 
-  struct Top {
-    double low, high, value;
-  };
-  std::vector<Top> tops;  // samples not below their neighbours
-  std::vector<double> values;
-  double sampled = 0;
+  double best = 0;
+  for (const double event : events) best = std::max(best, at(event));
   for (std::size_t k = 0; k + 1 < events.size(); ++k) {
+    if (events[k + 1] - events[k] < 1e-12) continue;
+    if (lag < straight_lag) {  // a sum of concave terms: one maximum
+      best = std::max(
+          best,
+          -minimize_unimodal([&](double psi) { return -at(psi); }, events[k], events[k + 1], 1e-7).value);
+      continue;
+    }
+    const Slope slope(*this, (events[k] + events[k + 1]) / 2);
+    if (slope.constant()) continue;
     const double length = events[k + 1] - events[k];
-    if (length < 1e-12) continue;
-    const int cells = length > 0.1 ? 24 : 8;
-    const auto angle = [&](int i) { return i == cells ? events[k + 1] : events[k] + length * i / cells; };
-    values.clear();
-    for (int i = 0; i <= cells; ++i) values.push_back(at(angle(i)));
-    for (int i = 0; i <= cells; ++i) {
-      const double value = values[static_cast<std::size_t>(i)];
-      const int left = std::max(i - 1, 0), right = std::min(i + 1, cells);
-      if (value < values[static_cast<std::size_t>(left)] || value < values[static_cast<std::size_t>(right)])
-        continue;
-      sampled = std::max(sampled, value);
-      tops.push_back({angle(left), angle(right), value});
+    const int cells = length > 0.1 ? 12 : 6;
+    double before_psi = events[k];
+    double before = slope.at(before_psi);
+    for (int i = 1; i <= cells; ++i) {
+      const double psi = i == cells ? events[k + 1] : events[k] + length * i / cells;
+      const double here = slope.at(psi);
+      if (before > 0 && here < 0)
+        best = std::max(best, at(find_root([&](double x) { return slope.at(x); }, before_psi, psi, 1e-9)));
+      before_psi = psi;
+      before = here;
     }
   }
-  // A sample misses its maximum by at most a few 1e-4; refine all that could still win.
-  double best = sampled;
-  for (const Top& top : tops)
-    if (top.value >= 0.998 * sampled)
-      best = std::max(
-          best, -minimize_unimodal([&](double psi) { return -at(psi); }, top.low, top.high, 1e-7).value);
   return best;
 }
 

@@ -32,10 +32,13 @@ struct ToothLoad {
   std::int64_t teeth;
 
   [[nodiscard]] double at(double psi) const;
-  /// Largest value over one pitch: every smooth piece between the events "a tooth end passes start or exit"
-  /// is sampled and the best samples refined.
+  /// Largest value over one pitch: at the events "a tooth end passes start or exit", or where the slope of a
+  /// smooth piece between them falls through zero.
   [[nodiscard]] double peak() const;
   [[nodiscard]] double mean() const;
+
+ private:
+  class Slope;
 };
 
 }  // namespace verstat::models

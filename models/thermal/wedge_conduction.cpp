@@ -14,7 +14,11 @@ namespace {
 // 1/distance integrated over two parallel lines of the length b, a distance d apart:
 // 2 (b arsinh(b/d) - sqrt(b^2 + d^2) + d), written without the cancellation at d >> b.
 double line_interaction(double b, double d) {
-  return 2 * (b * std::asinh(b / d) - b * b / (d + std::hypot(b, d)));
+  const double diagonal = std::sqrt(b * b + d * d);
+  const double x = b / d;
+  // arsinh(x); the plain logarithm would lose digits of a small x.
+  const double arsinh = x > 0.1 ? std::log(x + diagonal / d) : std::asinh(x);
+  return 2 * (b * arsinh - b * b / (d + diagonal));
 }
 
 // J(0) of a rectangle on itself: the pairs depend on their distance u alone; u = l x^2 tames the logarithm.
@@ -28,10 +32,29 @@ double self_interaction(double b, double l) {
 }
 
 // J(psi): uniform unit source on source_length x b, mean over observer_length x b, planes at the angle psi.
+// The planes meet at the edge, where the distance vanishes in proportion to the distances from it: x^2 tames
+// the logarithm there.
 double interaction(double psi, double b, double source_length, double observer_length) {
-  const auto& rule = gauss_legendre_24();
   const double twice_cos = 2 * std::cos(psi);
   double sum = 0;
+  if (source_length == observer_length) {
+    // Of the square only the triangle s <= r counts, twice: r = l x^2, s = v r, so that the distance is r
+    // times a smooth function of v and few points do. To 3e-7 of the result for every wedge of 60 to 180 deg.
+    static const std::vector<GaussPoint> along = gauss_legendre(12);
+    static const std::vector<GaussPoint> across = gauss_legendre(8);
+    const double l = source_length;
+    for (const GaussPoint& q : across) {
+      const double slope = std::sqrt(1 + q.x * q.x - q.x * twice_cos);
+      double inner = 0;
+      for (const GaussPoint& p : along) {
+        const double r = l * p.x * p.x;
+        inner += p.weight * 2 * l * p.x * r * line_interaction(b, r * slope);
+      }
+      sum += q.weight * inner;
+    }
+    return sum / (std::numbers::pi * b * l);
+  }
+  static const std::vector<GaussPoint> rule = gauss_legendre(18);
   for (const GaussPoint& p : rule) {
     const double r = source_length * p.x * p.x;
     double inner = 0;

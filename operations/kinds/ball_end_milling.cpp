@@ -277,11 +277,13 @@ CutPlan plan(const BallEndMilling& spec, const PlanContext& context) {
   limit("form_error_um", most.form_error_um, spec.form_error_max_um, "um",
         "COMPLETION: bending along the normal");
   limit("scallop_um", scallop_um, spec.scallop_max_um, "um", "K401.ball_finishing_rates");
+  p.spindle.teeth = spec.teeth;
+  p.spindle.normal_force_n = most.force.normal_n;
   MachineLoad load;
   load.power_kw = most.power_kw;
   load.spindle_speed_rpm = spec.spindle_speed_rpm;
   load.feed_rate_mm_min = feed_mm_min;
-  add_machine_limits(p, context.machine, load);
+  add_machine_limits(p, context, load);
 
   if (context.edge != nullptr) {
     // Patches of different speed and feed wear the edge one after the other: shares of life add up.

@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 
 template <>
 struct verstat::models::StructFields<verstat::operations::BallScrewGrinding> {
@@ -281,18 +282,13 @@ CutPlan plan(const BallScrewGrinding& s, const PlanContext& context) {
     for (const double tilt_deg : schedule.tilt_deg) most_deg = std::max(most_deg, std::abs(tilt_deg));
     p.limits.push_back({"tilt_deg", most_deg, *s.tilt_max_deg, true, "deg", "K203.pass_schedule"});
   }
-  if (context.machine != nullptr) {
-    const MachineLimits& m = *context.machine;
-    if (m.power_kw && power_kw)
-      p.limits.push_back({"power_kw", *power_kw, *m.power_kw, true, "kW", "machine"});
-    if (m.spindle_speed_max_rpm)
-      p.limits.push_back({"wheel_speed_rpm", wheel_rpm, *m.spindle_speed_max_rpm, true, "rpm", "machine"});
-    if (m.spindle_speed_min_rpm)
-      p.limits.push_back({"wheel_speed_rpm", wheel_rpm, *m.spindle_speed_min_rpm, false, "rpm", "machine"});
-    if (m.feed_rate_max_mm_min)
-      p.limits.push_back({"feed_rate_mm_min", s.lead_mm * s.part_speed_rpm, *m.feed_rate_max_mm_min, true,
-                          "mm/min", "machine"});
-  }
+  add_machine_limits(p, context,
+                     WheelLoad{.wheel_rpm = wheel_rpm,
+                               .diameter_mm = 2 * s.wheel_outer_radius_mm,
+                               .work_speed_m_min = traverse_m_min,
+                               .infeed_mm = regime.infeed_mm,
+                               .feed_rate_mm_min = s.lead_mm * s.part_speed_rpm,
+                               .power_kw = power_kw});
 
   p.more_elements.push_back(dressing_life(s, time.time_min / dressings_per_part, "K203.wheel_wear_per_part"));
   p.consumables.push_back({"wheel_volume_mm3", dressings_per_part * abrasive.volume_mm3, "mm3",

@@ -171,6 +171,7 @@ CutPlan plan(const CamMilling& spec, const PlanContext& context) {
   p.quantities.push_back(
       {"cutting_speed_m_min", speed_m_min, "m/min", "definition", "cutting speed of the cutter"});
 
+  p.spindle.teeth = spec.teeth;
   MachineLoad load;
   load.spindle_speed_rpm = spec.tool_speed_rpm;
   if (spec.kc11_mpa) {
@@ -205,7 +206,7 @@ CutPlan plan(const CamMilling& spec, const PlanContext& context) {
   if (spec.axis_feed_max_mm_min && !uniform)
     p.limits.push_back({"axis_feed_mm_min", demand.feed_mm_min, *spec.axis_feed_max_mm_min, true, "mm/min",
                         "S1.cam_rotation_law"});
-  add_machine_limits(p, context.machine, load);
+  add_machine_limits(p, context, load);
   if (context.edge != nullptr)
     p.edge = taylor_life(*context.edge, speed_m_min, roundness.feed_per_tooth_mm, spec.allowance_mm);
   return p;

@@ -5,8 +5,8 @@
 #include <numbers>
 
 #include "models/drilling/k404_step_drill_delamination.h"
-#include "operations/against_machine.h"
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 #include "operations/taylor.h"
 
 template <>

@@ -7,6 +7,7 @@
 #include "models/grinding/k302_combined_grinding_roughness.h"
 #include "models/grinding/k303_cutting_surface_height.h"
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 
 namespace verstat::models {
 
@@ -288,17 +289,14 @@ CutPlan plan(const CylindricalGrinding& s, const PlanContext& context) {
   if (s.temperature_max_c)
     p.limits.push_back({"temperature_c", temperature_c, *s.temperature_max_c, true, "degC",
                         "K118.grinding_temperature_rise"});
-  if (context.machine != nullptr) {
-    const MachineLimits& m = *context.machine;
-    if (m.power_kw) p.limits.push_back({"power_kw", power_kw, *m.power_kw, true, "kW", "machine"});
-    if (m.spindle_speed_max_rpm)
-      p.limits.push_back({"wheel_speed_rpm", wheel_rpm, *m.spindle_speed_max_rpm, true, "rpm", "machine"});
-    if (m.spindle_speed_min_rpm)
-      p.limits.push_back({"wheel_speed_rpm", wheel_rpm, *m.spindle_speed_min_rpm, false, "rpm", "machine"});
-    if (m.feed_rate_max_mm_min)
-      p.limits.push_back(
-          {"feed_rate_mm_min", feed_mm_min, *m.feed_rate_max_mm_min, true, "mm/min", "machine"});
-  }
+  add_machine_limits(
+      p, context,
+      WheelLoad{.wheel_rpm = wheel_rpm,
+                .diameter_mm = s.wheel_diameter_mm * s.diameter_mm / (s.wheel_diameter_mm + s.diameter_mm),
+                .work_speed_m_min = s.work_speed_m_min,
+                .infeed_mm = s.finish_infeed_um / 1000,
+                .feed_rate_mm_min = feed_mm_min,
+                .power_kw = power_kw});
 
   p.more_elements.push_back(dressing_life(s, sunk_um, p.main_time_min));
   if (s.grinding_ratio) {

@@ -1,8 +1,8 @@
 #include "operations/kinds/deep_hole_drilling.h"
 
 #include "models/life/k120_deep_hole_guide_pads.h"
-#include "operations/against_machine.h"
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 #include "operations/taylor.h"
 
 template <>

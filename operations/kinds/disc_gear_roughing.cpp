@@ -3,8 +3,8 @@
 #include <cmath>
 
 #include "models/gears/k304_disc_cutter_roughing.h"
-#include "operations/against_machine.h"
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 
 template <>
 struct verstat::models::StructFields<verstat::operations::DiscGearRoughing> {

@@ -3,6 +3,7 @@
 #include <numbers>
 
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 
 template <>
 struct verstat::models::StructFields<verstat::operations::ElasticGrinding> {
@@ -104,19 +105,15 @@ CutPlan plan(const ElasticGrinding& s, const PlanContext& context) {
   if (limit.limited)
     p.limits.push_back(
         {"clamp_force_n", s.clamp_force_n, limit.clamp_force_n, true, "N", "K118.thermal_limit_state"});
-  if (context.machine != nullptr) {
-    const MachineLimits& m = *context.machine;
-    if (m.power_kw) p.limits.push_back({"power_kw", power_kw, *m.power_kw, true, "kW", "machine"});
-    if (m.spindle_speed_max_rpm)
-      p.limits.push_back({"wheel_speed_rpm", wheel_rpm, *m.spindle_speed_max_rpm, true, "rpm", "machine"});
-    if (m.spindle_speed_min_rpm)
-      p.limits.push_back({"wheel_speed_rpm", wheel_rpm, *m.spindle_speed_min_rpm, false, "rpm", "machine"});
-    if (m.feed_force_max_n)
-      p.limits.push_back({"clamp_force_n", s.clamp_force_n, *m.feed_force_max_n, true, "N", "machine"});
-    if (m.feed_rate_max_mm_min)
-      p.limits.push_back({"feed_rate_mm_min", 1000 * s.work_speed_m_min, *m.feed_rate_max_mm_min, true,
-                          "mm/min", "machine"});
-  }
+  add_machine_limits(p, context,
+                     WheelLoad{.wheel_rpm = wheel_rpm,
+                               .diameter_mm = 2 * s.wheel_radius_mm,
+                               .work_speed_m_min = s.work_speed_m_min,
+                               .infeed_mm = cut.depth_um / 1000,
+                               .feed_rate_mm_min = 1000 * s.work_speed_m_min,
+                               .power_kw = power_kw,
+                               .normal_force_n = s.clamp_force_n});
+  limit_feed_force(p, context, s.clamp_force_n, "machine");
 
   p.more_elements.push_back(dressing_life(s, s.time_after_dress_min, "given: dressing interval"));
   if (s.grinding_ratio)

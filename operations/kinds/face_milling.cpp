@@ -78,6 +78,7 @@ Mill mill_of(const FaceMilling& spec) {
 
 void add_cutting_load(CutPlan& p, const FaceMilling& spec, const PlanContext& context, double speed_rpm,
                       double feed_mm_min, double removal_cm3_min) {
+  p.spindle.teeth = spec.teeth;
   MachineLoad load;
   load.spindle_speed_rpm = speed_rpm;
   load.feed_rate_mm_min = feed_mm_min;
@@ -85,6 +86,8 @@ void add_cutting_load(CutPlan& p, const FaceMilling& spec, const PlanContext& co
     const double half_width = spec.width_mm / spec.mill_diameter_mm;
     const double mean_chip_mm = spec.feed_per_tooth_mm * half_width / std::asin(half_width);
     const double kc = kienzle_n_mm2(*spec.kc11_mpa, spec.mc, mean_chip_mm);
+    p.spindle.specific_force_n_mm2 = kc;
+    p.spindle.width_of_cut_mm = spec.depth_of_cut_mm;
     load.power_kw = kc * removal_cm3_min / 60'000;
     load.torque_nm = *load.power_kw * 30'000 / (std::numbers::pi * speed_rpm);
     p.quantities.push_back({"cutting_power_kw", *load.power_kw, "kW",
@@ -93,7 +96,7 @@ void add_cutting_load(CutPlan& p, const FaceMilling& spec, const PlanContext& co
     p.quantities.push_back({"cutting_torque_nm", *load.torque_nm, "N m",
                             "COMPLETION: Kienzle at the mean chip thickness", "mean torque at the mill"});
   }
-  add_machine_limits(p, context.machine, load);
+  add_machine_limits(p, context, load);
 }
 
 // Life of one tooth at the load of the fresh mill; normal laws are taken as the Weibull law of the same cv.

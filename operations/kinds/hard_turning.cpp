@@ -6,8 +6,8 @@
 
 #include "models/reliability/k117_rational_reliability.h"
 #include "models/toolpath/k107_round_insert_notch_clashes.h"
-#include "operations/against_machine.h"
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 #include "operations/taylor.h"
 
 namespace verstat::models {
@@ -260,6 +260,8 @@ CutPlan plan(const HardTurning& spec, const PlanContext& context) {
     p.bands.push_back({"cutting_speed_m_min", spec.cutting_speed_m_min, std::nextafter(60.0, 0.0),
                        std::nextafter(100.0, 200.0), "m/min", "K106.ceramic_chatter_risk"});
   limit_power(p, context, power_kw, "K106.cutting_power");
+  limit_torque(p, context, worst.main_n * spec.diameter_mm / 2000, "K106.hard_turning_forces");
+  p.spindle.normal_force_n = worst.radial_n;
   limit_spindle_speed(p, context, spindle_speed_rpm, "definition");
   limit_feed_rate(p, context, spindle_speed_rpm * spec.feed_mm_rev, "definition");
   return p;

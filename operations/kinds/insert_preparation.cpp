@@ -293,6 +293,14 @@ CutPlan plan(const InsertPreparation& spec, const PlanContext&) {
                             "share of that cost which the preparation saves"});
   p.consumables.push_back({"inserts_per_prepared_insert", 1 / accepted, "1", screening,
                            "delivered inserts for one that is used"});
+  p.lot = PreparedLot{.law = after.law,
+                      .life_factor = after.mean_min / before.mean_min,
+                      .cv = after.cv,
+                      .breakage_fraction = after.breakage_fraction,
+                      .delivered_per_prepared = 1 / accepted,
+                      .added_cost_per_insert = tested / accepted + (treats ? spec.treatment_cost : 0),
+                      .edges_used_by_test = tests ? spec.edges_used_by_test : 0,
+                      .origin = origin};
   surface(spec, p);
   return p;
 }

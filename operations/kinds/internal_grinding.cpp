@@ -4,6 +4,7 @@
 
 #include "models/grinding/k303_cutting_surface_height.h"
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 
 template <>
 struct verstat::models::StructFields<verstat::operations::InternalGrinding> {
@@ -99,18 +100,14 @@ CutPlan plan(const InternalGrinding& s, const PlanContext& context) {
   if (s.residual_height_max_um)
     p.limits.push_back({"residual_height_um", height.final_height_um, *s.residual_height_max_um, true, "um",
                         "K303.residual_height"});
-  if (context.machine != nullptr) {
-    const MachineLimits& m = *context.machine;
-    if (m.power_kw && power_kw)
-      p.limits.push_back({"power_kw", *power_kw, *m.power_kw, true, "kW", "machine"});
-    if (m.spindle_speed_max_rpm)
-      p.limits.push_back({"wheel_speed_rpm", wheel_rpm, *m.spindle_speed_max_rpm, true, "rpm", "machine"});
-    if (m.spindle_speed_min_rpm)
-      p.limits.push_back({"wheel_speed_rpm", wheel_rpm, *m.spindle_speed_min_rpm, false, "rpm", "machine"});
-    if (m.feed_rate_max_mm_min)
-      p.limits.push_back({"feed_rate_mm_min", s.depth_um / 1000 * part_rpm, *m.feed_rate_max_mm_min, true,
-                          "mm/min", "machine"});
-  }
+  add_machine_limits(p, context,
+                     WheelLoad{.wheel_rpm = wheel_rpm,
+                               .diameter_mm = s.wheel_diameter_mm * s.bore_diameter_mm /
+                                              (s.bore_diameter_mm - s.wheel_diameter_mm),
+                               .work_speed_m_min = s.work_speed_m_min,
+                               .infeed_mm = s.depth_um / 1000,
+                               .feed_rate_mm_min = s.depth_um / 1000 * part_rpm,
+                               .power_kw = power_kw});
 
   p.more_elements.push_back(dressing_life(s, height.rmax_um, p.main_time_min));
   if (s.grinding_ratio) {

@@ -229,6 +229,7 @@ CutPlan plan(const LatheMilling& spec, const PlanContext& context) {
   p.quantities.push_back({"finishing_rule_applies", finishing.applies ? 1.0 : 0.0, "1", "S4.finishing_rule",
                           "1 where high speed promises Ra 1.6 to 3.2 um without grinding"});
 
+  p.spindle.teeth = spec.teeth;
   MachineLoad load;
   load.spindle_speed_rpm = spec.tool_speed_rpm;
   load.feed_rate_mm_min = milled.feed_high_mm_min;
@@ -240,7 +241,7 @@ CutPlan plan(const LatheMilling& spec, const PlanContext& context) {
   p.limits.push_back({"peak_force_n", milled.peak_force_n,
                       // The feed law meets the limit to rounding: a hair above it is met.
                       spec.force_limit_n * (1 + 1e-9), true, "N", force_origin});
-  add_machine_limits(p, context.machine, load);
+  add_machine_limits(p, context, load);
   if (context.edge != nullptr)
     p.edge = taylor_life(*context.edge, speed_m_min, feed_per_tooth_mm, spec.axial_depth_mm);
   return p;

@@ -155,7 +155,7 @@ CutPlan plan(const RkMilling& spec, const PlanContext& context) {
   MachineLoad load;
   load.spindle_speed_rpm = lobe.cutter_speed_rpm;
   load.feed_rate_mm_min = spec.cross_feed_mm_min;
-  add_machine_limits(p, context.machine, load);
+  add_machine_limits(p, context, load);
   if (context.edge != nullptr)
     p.edge = taylor_life(*context.edge, fastest_m_min, feed_per_tooth_mm, spec.depth_mm);
   return p;

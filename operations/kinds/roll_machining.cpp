@@ -4,8 +4,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "operations/against_machine.h"
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 #include "operations/taylor.h"
 
 namespace verstat::models {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/milling/rolling_profile.h"
 #include "operations/fields.h"
 #include "operations/machine_load.h"
 #include "operations/taylor.h"
@@ -53,19 +54,23 @@ constexpr double straight_deg = 1e-9;
 // Largest facet of the stroke: each step turns the edge from one tangent to the next, with the mean radius
 // of the profile between them.
 double largest_facet_mm(const s2::Stroke& stroke) {
-  s2::Stroke step = stroke;
-  step.steps = 2;
+  const s2::ProfileSide side(stroke.profile, "profile");
   const double width_mm = (stroke.z_end_mm - stroke.z_start_mm) / static_cast<double>(stroke.steps);
+  const auto tangent_deg = [&](double z_mm) { return std::atan(side.slope(z_mm)) * 180 / std::numbers::pi; };
   double largest_mm = 0;
-  for (std::int64_t k = 0; k < stroke.steps; ++k) {
-    step.z_start_mm = stroke.z_start_mm + static_cast<double>(k) * width_mm;
-    step.z_end_mm =
-        k + 1 == stroke.steps ? stroke.z_end_mm : stroke.z_start_mm + static_cast<double>(k + 1) * width_mm;
-    const s2::StrokeMotion motion = s2::rolling_path(step);
-    const double turn_deg = std::abs(motion.rotation_deg);
-    if (turn_deg < straight_deg) continue;
-    const double radius_mm = motion.arc_length_mm * 180 / (std::numbers::pi * turn_deg);
-    largest_mm = std::max(largest_mm, s2::facet_error({radius_mm, turn_deg}).facet_error_mm);
+  double from_mm = stroke.z_start_mm;
+  double from_deg = tangent_deg(from_mm);
+  for (std::int64_t k = 1; k <= stroke.steps; ++k) {
+    const double to_mm =
+        k == stroke.steps ? stroke.z_end_mm : stroke.z_start_mm + static_cast<double>(k) * width_mm;
+    const double to_deg = tangent_deg(to_mm);
+    const double turn_deg = std::abs(to_deg - from_deg);
+    if (turn_deg >= straight_deg) {
+      const double radius_mm = side.arc_length(from_mm, to_mm) * 180 / (std::numbers::pi * turn_deg);
+      largest_mm = std::max(largest_mm, s2::facet_error({radius_mm, turn_deg}).facet_error_mm);
+    }
+    from_mm = to_mm;
+    from_deg = to_deg;
   }
   return largest_mm;
 }
@@ -139,7 +144,7 @@ CutPlan plan(const RollingGeneration& spec, const PlanContext& context) {
         {"tool_angle_deg", spec.tool_angle_deg, *spec.corner_angle_deg, true, "deg", "S2.coordination_kind"});
   MachineLoad load;
   load.feed_rate_mm_min = spec.feed_mm_min;
-  add_machine_limits(p, context.machine, load);
+  add_machine_limits(p, context, load);
   if (context.edge != nullptr) {
     // The life of the shop's data is that of an edge that cuts with one spot; rolling spreads the wear.
     p.edge =

@@ -139,6 +139,8 @@ CutPlan plan(const SlotMilling& spec, const PlanContext& context) {
   const double tangential_n = tooth.tangential_n * (1 + added_share);
   // Both cutting arcs hold a tooth at the same time only by chance: teeth in cut on average, at least one.
   const double in_cut = std::max(1.0, arcs.cutting_fraction * static_cast<double>(spec.teeth));
+  p.spindle.teeth = spec.teeth;
+  p.spindle.normal_force_n = force.total_n;
   MachineLoad load;
   load.spindle_speed_rpm = spec.spindle_speed_rpm;
   load.feed_rate_mm_min = spec.table_feed_mm_min;
@@ -155,7 +157,7 @@ CutPlan plan(const SlotMilling& spec, const PlanContext& context) {
   if (spec.face_error_max_um)
     p.limits.push_back(
         {"face_error_um", error.face_um, *spec.face_error_max_um, true, "um", "K105.t_slot_form_error"});
-  add_machine_limits(p, context.machine, load);
+  add_machine_limits(p, context, load);
   if (context.edge != nullptr)
     p.edge = taylor_life(*context.edge, run.cutting_speed_m_min, run.feed_mm_tooth, spec.head_height_mm);
   return p;

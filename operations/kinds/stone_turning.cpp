@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <numbers>
 
-#include "operations/against_machine.h"
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 
 namespace verstat::models {
 

@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "operations/against_machine.h"
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 #include "operations/taylor.h"
 
 template <>

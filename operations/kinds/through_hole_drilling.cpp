@@ -7,8 +7,8 @@
 #include "models/drilling/k111_reverse_tilt_chisel_edge.h"
 #include "models/drilling/k114_sharpened_chisel_edge.h"
 #include "models/drilling/k308_hole_pair_tooling.h"
-#include "operations/against_machine.h"
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 #include "operations/taylor.h"
 
 namespace verstat::models {

@@ -6,8 +6,8 @@
 #include "models/reliability/k117_rational_reliability.h"
 #include "models/surface/k411_finish_turning_roughness.h"
 #include "models/thermal/k403_unsteady_cutting_temperature.h"
-#include "operations/against_machine.h"
 #include "operations/fields.h"
+#include "operations/machine_load.h"
 #include "operations/taylor.h"
 
 namespace verstat::models {
@@ -156,6 +156,7 @@ void handbook(const Turning& spec, const PlanContext& context, CutPlan& p) {
   constexpr const char* origin = "K102.handbook_turning_force";
   const double radial_n = force.py_n * shape.factor_py;
   const double feed_n = force.px_n * shape.factor_px;
+  p.spindle.normal_force_n = radial_n;
   p.quantities.push_back(
       {"handbook_force_n", force.pz_n * shape.factor_pz, "N", origin, "main force of the handbook"});
   p.quantities.push_back({"radial_force_n", radial_n, "N", origin, "radial force of the handbook"});
@@ -181,6 +182,8 @@ void force_and_power(const Turning& spec, const PlanContext& context, CutPlan& p
     p.limits.push_back({"cutting_force_n", force_n, *spec.force_max_n, true, "N", kienzle});
   limit_power(p, context, power_kw, kienzle);
   limit_torque(p, context, torque_nm, kienzle);
+  p.spindle.specific_force_n_mm2 = force_n / chip.area_mm2;
+  p.spindle.width_of_cut_mm = chip.area_mm2 / chip.mean_thickness_mm;
 }
 
 void temperatures(const Turning& spec, CutPlan& p) {

@@ -1,6 +1,7 @@
 // All KPIs of a shop, names beside formulas.
 #include "sim/shop/kpis.h"
 
+#include <algorithm>
 #include <array>
 
 #include <fmt/format.h>
@@ -10,26 +11,168 @@
 namespace verstat::shop {
 namespace {
 
-struct Money {
-  const char* name;
-  const char* meaning;
-  double amount;
-};
-
-std::optional<double> ratio(double part, double whole) {
-  if (!(whole > 0)) return std::nullopt;
-  return part / whole;
-}
-
 constexpr std::string_view meaning_of(MachineState state) {
   constexpr std::array<std::string_view, machine_states> texts = {
       "share of the time spent cutting",
       "share of the time spent on operations given as durations",
+      "share of the time spent loading and unloading",
+      "share of the time spent changing over",
       "share of the time in planned insert changes, crew at work",
       "share of the time in insert changes after a failure, crew at work",
-      "share of the time waiting for the crew to change an edge",
-      "share of the time without a part to work on"};
+      "share of the time waiting for a crew that is busy elsewhere or off",
+      "share of the time waiting for a tool or an insert",
+      "share of the time under repair",
+      "share of the time waiting for a repair or maintenance to begin",
+      "share of the time in planned maintenance",
+      "share of the time resetting the overload clutch",
+      "share of the time warming up",
+      "share of the time blocked by a full place downstream",
+      "share of the time without a part to work on",
+      "share of the time switched off for lack of work",
+      "share of the time outside the calendar",
+      "share of the time in which a sister tool comes out of the magazine"};
   return texts[static_cast<std::size_t>(state)];
+}
+
+constexpr std::array<std::string_view, phases> phase_names = {"release", "components", "queue",
+                                                              "machine", "blocked",    "transport"};
+constexpr std::array<std::string_view, phases> phase_meanings = {
+    "waiting to be let into the shop",
+    "waiting for parts to assemble",
+    "waiting for a machine",
+    "on a machine: set-up, loading, work and stops",
+    "waiting for room at the next place",
+    "under way"};
+
+bool has_tool(const scenarios::Scenario& scenario, const scenarios::Machine& machine) {
+  for (const scenarios::Operation& operation : scenario.operations) {
+    if (operation.tool.empty()) continue;
+    for (const std::size_t g : scenarios::groups_of(scenario, operation))
+      if (&scenario.machines[g] == &machine) return true;
+  }
+  return false;
+}
+
+bool off_line_tools(const scenarios::Scenario& scenario) {
+  return std::any_of(scenario.tools.begin(), scenario.tools.end(), scenarios::changed_off_line);
+}
+
+// Any place in the shop that can be full?
+bool can_block(const scenarios::Scenario& scenario) {
+  for (const scenarios::Machine& machine : scenario.machines)
+    if (machine.queue_capacity) return true;
+  for (const scenarios::Store& store : scenario.stores)
+    if (store.capacity) return true;
+  for (const scenarios::Transport& transport : scenario.transport)
+    if (std::holds_alternative<scenarios::Conveyor>(transport.carrier)) return true;
+  return false;
+}
+
+// States that cannot occur are left out of the results: a lathe without a calendar has no off-shift share.
+bool can_occur(const scenarios::Scenario& scenario, const scenarios::Machine& machine, MachineState state) {
+  const bool tool = has_tool(scenario, machine);
+  switch (state) {
+    case MachineState::cutting:
+    case MachineState::working:
+    case MachineState::idle:
+      return true;
+    case MachineState::planned_change:
+    case MachineState::failure_change:
+      return tool;
+    case MachineState::waiting_crew:
+      return tool || machine.attendance || (machine.setup && !machine.setup->crew.empty());
+    case MachineState::waiting_tool:
+      return tool;
+    case MachineState::tool_swap:
+      return tool && off_line_tools(scenario);
+    case MachineState::loading:
+      return machine.loading || machine.unloading;
+    case MachineState::setup:
+      return machine.setup.has_value();
+    case MachineState::repair:
+      return !machine.failures.empty() || machine.limits.safety_clutch;
+    case MachineState::maintenance:
+      return !machine.maintenance.empty();
+    case MachineState::waiting_repair:
+      return !machine.failures.empty() || !machine.maintenance.empty() || machine.limits.safety_clutch;
+    case MachineState::overload_reset:
+      return machine.limits.safety_clutch.has_value();
+    case MachineState::warm_up:
+    case MachineState::off:
+      return machine.switch_off.has_value();
+    case MachineState::blocked:
+      return can_block(scenario);
+    case MachineState::off_shift:
+      return !machine.calendar.empty();
+  }
+  return true;
+}
+
+// Headings under which this scenario can spend money.
+bool can_occur(const scenarios::Scenario& scenario, Cost cost) {
+  const auto any_machine = [&](auto&& predicate) {
+    for (const scenarios::Machine& machine : scenario.machines)
+      if (predicate(machine)) return true;
+    return false;
+  };
+  for (std::size_t s = 0; s < machine_states; ++s) {
+    const auto state = static_cast<MachineState>(s);
+    if (heading_of(state) == cost && cost != Cost::off)
+      return any_machine([&](const scenarios::Machine& m) { return can_occur(scenario, m, state); });
+  }
+  switch (cost) {
+    case Cost::tool_room:
+      return off_line_tools(scenario);
+    case Cost::elements:
+      return std::any_of(scenario.tools.begin(), scenario.tools.end(),
+                         [](const scenarios::Tool& tool) { return !tool.elements.empty(); });
+    case Cost::off:
+      return any_machine([](const scenarios::Machine& m) { return m.switch_off.has_value(); });
+    case Cost::transport:
+      return !scenario.transport.empty();
+    case Cost::spares:
+      return !scenario.spares.empty();
+    case Cost::operations:
+      for (const scenarios::Operation& operation : scenario.operations)
+        if (operation.cost > 0) return true;
+      return false;
+    case Cost::escapes:
+      for (const scenarios::PartType& part : scenario.parts)
+        if (part.escape_cost > 0) return true;
+      return false;
+    case Cost::tardiness:
+      for (const scenarios::PartType& part : scenario.parts)
+        if (part.tardiness_cost_per_min > 0) return true;
+      return false;
+    case Cost::lost_demand:
+      for (const scenarios::Store& store : scenario.stores)
+        if (store.demand_lost_cost > 0) return true;
+      return false;
+    case Cost::energy:
+      return scenario.energy_price_per_kwh > 0;
+    default:
+      return true;
+  }
+}
+
+bool has_due_dates(const scenarios::PartType& part) {
+  return part.due_after || std::holds_alternative<scenarios::OrderList>(part.supply);
+}
+
+// Electric energy of a machine by its state times, kWh.
+double energy_of(const scenarios::Power& power, const StateClock& clock) {
+  double energy_kwh = 0;
+  for (std::size_t s = 0; s < machine_states; ++s) {
+    const auto state = static_cast<MachineState>(s);
+    const bool working = state == MachineState::working || state == MachineState::loading;
+    const bool off = state == MachineState::off || state == MachineState::off_shift;
+    const double kw = state == MachineState::cutting ? power.cutting_kw
+                      : working                      ? power.working_kw
+                      : off                          ? power.off_kw
+                                                     : power.standby_kw;
+    energy_kwh += kw * clock.time_min(state) / 60;
+  }
+  return energy_kwh;
 }
 
 }  // namespace
@@ -38,159 +181,336 @@ std::string machine_name(const scenarios::Machine& machine, std::int64_t index) 
   return machine.count == 1 ? machine.name : fmt::format("{} {}", machine.name, index + 1);
 }
 
-template <class Sink>
-void Shop::each_kpi(Sink&& sink) const {
-  const double window_min = scenario_.simulation.horizon_min - scenario_.simulation.warmup_min;
-  const std::string& money = scenario_.currency;
+void Shop::settle() {
+  labour_->settle(sim_.now());
+  for (const auto& machine : machines_) {
+    machine->clock.settle(sim_.now());
+    for (const auto& [name, tool] : machine->tools) {
+      tool->clock.settle(sim_.now());
+      tool->stops.close();
+      tool->changes.close();
+    }
+  }
+}
 
+void Shop::reset_counts() {
+  settle();
+  const double now = sim_.now();
+  labour_->reset_counts(now);
+  costs_.reset();
+  reset_tool_counts();
+  for (PartCounts& part : parts_) part = PartCounts();
+  for (const auto& machine : machines_) {
+    machine->clock.reset(now);
+    for (const auto& [name, tool] : machine->tools) tool->clock.reset(now);
+    machine->parts_done = 0;
+    machine->parts_rejected = 0;
+    machine->planned_min = 0;
+    machine->setups = 0;
+    machine->failures = 0;
+    machine->maintenance_jobs = 0;
+    machine->overload_trips = 0;
+    machine->overload_breaks = 0;
+    machine->active_periods = is_passive(machine->clock.state()) ? 0 : 1;
+    for (const auto& stop : machine->stops) stop->count = 0;
+  }
+  for (const auto& group : groups_) group->queue_length.reset(now);
+  for (const auto& spares : spares_) {
+    spares->used = 0;
+    spares->stock_outs = 0;
+  }
+  for (const auto& store : stores_) {
+    store->mean_level.reset(now);
+    store->customers = 0;
+    store->lost = 0;
+  }
+  for (const auto& carrier : carriers_) {
+    carrier->busy_min = 0;
+    carrier->moves = 0;
+  }
+  work_in_process_.reset(now);
+  lead_times_ = sim::QuantileSketch();
+}
+
+// What is known only at the end: machine minutes by state, presence of crews, energy.
+void Shop::book_totals() {
+  for (const auto& lots : lots_)
+    if (lots) costs_.book(Cost::inserts, lots->counts().cost);
+  for (const auto& machine : machines_) {
+    const scenarios::Machine& spec = *machine->group->spec;
+    for (std::size_t s = 0; s < machine_states; ++s) {
+      const auto state = static_cast<MachineState>(s);
+      if (state != MachineState::off_shift)
+        costs_.book(heading_of(state), machine->clock.time_min(state) * spec.rate_per_min);
+    }
+    costs_.book(Cost::energy, energy_of(spec.power, machine->clock) * scenario_.energy_price_per_kwh);
+  }
+  for (std::size_t k = 0; k < scenario_.crews.size(); ++k) {
+    const scenarios::Crew& crew = scenario_.crews[k];
+    if (crew.pay == scenarios::CrewPay::shift)
+      costs_.book(Cost::labour, crew.rate_per_min * labour_->present_min(k, scenario_.simulation.warmup_min,
+                                                                         scenario_.simulation.horizon_min));
+  }
+}
+
+void Shop::shop_kpis(const KpiSink& sink) const {
+  const std::string& money = scenario_.currency;
   double good = 0;
   double scrapped = 0;
   double lead_time_min = 0;
-  double scrap_cost = 0;
+  std::array<double, phases> phase_min{};
   for (const PartCounts& part : parts_) {
     good += static_cast<double>(part.good);
     scrapped += static_cast<double>(part.scrapped);
     lead_time_min += part.lead_time_min;
-    scrap_cost += part.scrap_cost;
+    for (std::size_t k = 0; k < phases; ++k) phase_min[k] += part.phase_min[k];
   }
   const double finished = good + scrapped;
 
-  // Costs: every machine minute by its state, crews by work or by shift, inserts, damage, scrap.
-  std::array<double, machine_states> machine_cost{};
-  for (const auto& machine : machines_)
-    for (std::size_t s = 0; s < machine_states; ++s)
-      machine_cost[s] +=
-          machine->clock.time_min(static_cast<MachineState>(s)) * machine->group->spec->rate_per_min;
-  double planned_wage = 0;
-  double failure_wage = 0;
-  std::map<const CrewUnit*, double> crew_busy_min;
-  for (const auto& machine : machines_)
-    for (const auto& [name, tool] : machine->tools) {
-      const double planned_min = tool->clock.time_min(MachineState::planned_change);
-      const double failure_min = tool->clock.time_min(MachineState::failure_change);
-      crew_busy_min[tool->crew] += planned_min + failure_min;
-      if (tool->crew->spec->pay == scenarios::CrewPay::shift) continue;
-      planned_wage += planned_min * tool->crew->spec->rate_per_min;
-      failure_wage += failure_min * tool->crew->spec->rate_per_min;
-    }
-  double shift_wage = 0;
-  for (const auto& crew : crews_)
-    if (crew->spec->pay == scenarios::CrewPay::shift)
-      shift_wage += crew->spec->rate_per_min * static_cast<double>(crew->spec->members) * window_min;
-  double insert_cost = 0;
-  double regrind_cost = 0;
-  double damage_cost = 0;
-  for (const ToolCounts& tool : tools_) {
-    insert_cost += tool.insert_cost;
-    regrind_cost += tool.regrind_cost;
-    damage_cost += tool.damage_cost;
-  }
-  const auto machine_in = [&](MachineState s) { return machine_cost[static_cast<std::size_t>(s)]; };
-  const std::array components = {
-      Money{"machining", "machine minutes of cutting", machine_in(MachineState::cutting)},
-      Money{"other_operations", "machine minutes of operations given as durations",
-            machine_in(MachineState::working)},
-      Money{"planned_change", "machine and crew minutes of planned insert changes",
-            machine_in(MachineState::planned_change) + planned_wage},
-      Money{"failure_change", "machine and crew minutes of changes after a failure",
-            machine_in(MachineState::failure_change) + failure_wage},
-      Money{"waiting_crew", "machine minutes of waiting for the crew",
-            machine_in(MachineState::waiting_crew)},
-      Money{"idle", "machine minutes without a part", machine_in(MachineState::idle)},
-      Money{"labour", "crews paid by the shift", shift_wage},
-      Money{"inserts", "inserts", insert_cost},
-      Money{"regrinding", "regrinding", regrind_cost},
-      Money{"damage", "holders, shims and rework after failures", damage_cost},
-      Money{"scrap", "value of scrapped parts", scrap_cost}};
   // The whole is the sum of the parts as they are shown, so that the bridge closes exactly.
   std::optional<double> per_part;
   std::optional<double> per_good_part;
-  for (const Money& m : components) {
-    if (const auto share = ratio(m.amount, finished)) per_part = per_part.value_or(0) + *share;
-    if (const auto share = ratio(m.amount, good)) per_good_part = per_good_part.value_or(0) + *share;
+  for (std::size_t c = 0; c < cost_headings; ++c) {
+    const double amount = costs_[static_cast<Cost>(c)];
+    if (!can_occur(scenario_, static_cast<Cost>(c))) continue;
+    if (const auto share = ratio(amount, finished)) per_part = per_part.value_or(0) + *share;
+    if (const auto share = ratio(amount, good)) per_good_part = per_good_part.value_or(0) + *share;
   }
-
   sink(KpiInfo{"cost_per_part", money, "all costs / parts finished, good or scrapped"}, per_part);
   sink(KpiInfo{"cost_per_good_part", money, "all costs / good parts"}, per_good_part);
   sink(KpiInfo{"throughput_per_h", "parts/h", "good parts per hour of calendar time"},
-       ratio(good, window_min / 60));
+       ratio(good, window_min() / 60));
   sink(KpiInfo{"parts_good", "parts", "good parts in the counted time"}, good);
   sink(KpiInfo{"parts_scrapped", "parts", "scrapped parts in the counted time"}, scrapped);
   sink(KpiInfo{"quality_ratio", "1", "good parts / parts finished (ISO 22400)"}, ratio(good, finished));
+  sink(KpiInfo{"work_in_process", "parts", "mean number of parts in the shop"},
+       work_in_process_.mean(sim_.now()));
   sink(KpiInfo{"lead_time_min", "min", "mean time from the start or arrival of a part to its end"},
        ratio(lead_time_min, finished));
-  for (const Money& m : components)
-    sink(KpiInfo{fmt::format("cost/{}", m.name), money + "/part",
-                 fmt::format("{}, per part finished", m.meaning)},
-         ratio(m.amount, finished));
-
-  for (const auto& machine : machines_) {
-    const double production_min =
-        machine->clock.time_min(MachineState::cutting) + machine->clock.time_min(MachineState::working);
-    sink(KpiInfo{fmt::format("machine/{}/availability", machine->name), "1",
-                 "production time / planned busy time (ISO 22400)"},
-         ratio(production_min, window_min));
-    for (std::size_t s = 0; s < machine_states; ++s) {
-      const auto state = static_cast<MachineState>(s);
-      sink(KpiInfo{fmt::format("machine/{}/state/{}", machine->name, name_of(state)), "1",
-                   std::string(meaning_of(state))},
-           ratio(machine->clock.time_min(state), window_min));
-    }
-  }
-
-  for (std::size_t t = 0; t < tools_.size(); ++t) {
-    const ToolCounts& counts = tools_[t];
-    double cutting_min = 0;
-    double changing_min = 0;
-    double waiting_min = 0;
-    for (const auto& machine : machines_)
-      for (const auto& [name, tool] : machine->tools) {
-        if (tool->index != t) continue;
-        cutting_min += tool->clock.time_min(MachineState::cutting);
-        waiting_min += tool->clock.time_min(MachineState::waiting_crew);
-        changing_min += tool->clock.time_min(MachineState::planned_change) +
-                        tool->clock.time_min(MachineState::failure_change);
-      }
-    const auto planned = static_cast<double>(counts.planned_changes);
-    const auto failures = static_cast<double>(counts.failures);
-    const auto put = [&](const char* name, const char* unit, const char* meaning,
-                         std::optional<double> value) {
-      sink(KpiInfo{fmt::format("tool/{}/{}", scenario_.tools[t].name, name), unit, meaning}, value);
-    };
-    put("insert_cycle_availability", "1",
-        "cutting / (cutting + changing + waiting for the crew); K_r of K117",
-        ratio(cutting_min, cutting_min + changing_min + waiting_min));
-    put("waiting_crew_share", "1", "waiting for the crew / (cutting + changing + waiting)",
-        ratio(waiting_min, cutting_min + changing_min + waiting_min));
-    put("planned_changes", "1", "edges changed as planned", planned);
-    put("failures", "1", "edges that failed in the cut", failures);
-    put("failure_share", "1", "failures / all changes", ratio(failures, planned + failures));
-    put("edge_use_min", "min", "mean cutting time of the edges taken out",
-        ratio(counts.edge_minutes_used, static_cast<double>(counts.edges_used)));
-    put("inserts_fitted", "1", "new inserts fitted", static_cast<double>(counts.inserts_fitted));
-    put("inserts_per_100_parts", "1/100 parts", "new inserts fitted per 100 parts finished",
-        ratio(100 * static_cast<double>(counts.inserts_fitted), finished));
-  }
-
-  for (const auto& crew : crews_) {
-    const auto busy = crew_busy_min.find(crew.get());
-    const double busy_min = busy == crew_busy_min.end() ? 0 : busy->second;
-    sink(KpiInfo{fmt::format("crew/{}/utilization", crew->spec->name), "1",
-                 "minutes worked / minutes present"},
-         ratio(busy_min, window_min * static_cast<double>(crew->spec->members)));
+  const auto quantile = [&](double p) -> std::optional<double> {
+    if (lead_times_.count() == 0) return std::nullopt;
+    return lead_times_.quantile(p);
+  };
+  sink(KpiInfo{"lead_time_p50_min", "min", "median of the lead times of batches"}, quantile(0.5));
+  sink(KpiInfo{"lead_time_p90_min", "min", "90 % of the batches take no longer"}, quantile(0.9));
+  for (std::size_t k = 0; k < phases; ++k)
+    sink(KpiInfo{fmt::format("lead_time/{}_min", phase_names[k]), "min",
+                 fmt::format("mean part of the lead time spent {}", phase_meanings[k])},
+         ratio(phase_min[k], finished));
+  for (std::size_t c = 0; c < cost_headings; ++c) {
+    const auto cost = static_cast<Cost>(c);
+    if (can_occur(scenario_, cost))
+      sink(KpiInfo{fmt::format("cost/{}", name_of(cost)), money + "/part",
+                   fmt::format("{}, per part finished", meaning_of(cost))},
+           ratio(costs_[cost], finished));
   }
 }
 
-std::vector<std::optional<double>> Shop::compute_kpis() const {
+void Shop::machine_kpis(const KpiSink& sink) const {
+  for (const auto& machine : machines_) {
+    const scenarios::Machine& spec = *machine->group->spec;
+    const auto time_in = [&](MachineState state) { return machine->clock.time_min(state); };
+    const auto put = [&](const char* name, const char* unit, const char* meaning,
+                         std::optional<double> value) {
+      sink(KpiInfo{fmt::format("machine/{}/{}", machine->name, name), unit, meaning}, value);
+    };
+    const double production_min = time_in(MachineState::cutting) + time_in(MachineState::working);
+    const auto planned = scenario_.simulation.planned_change;
+    double busy_min = window_min() - time_in(MachineState::off_shift) - time_in(MachineState::maintenance);
+    if (planned == scenarios::PlannedChange::planned_downtime)
+      busy_min -= time_in(MachineState::planned_change);
+    const double setup_min =
+        time_in(MachineState::setup) +
+        (planned == scenarios::PlannedChange::setup ? time_in(MachineState::planned_change) : 0.0);
+    const double breakdown_min = time_in(MachineState::failure_change) + time_in(MachineState::repair) +
+                                 time_in(MachineState::waiting_repair) +
+                                 time_in(MachineState::overload_reset);
+    const double start_up_min = time_in(MachineState::warm_up);
+    const double stops_min = busy_min - production_min - setup_min - breakdown_min - start_up_min;
+    const auto done = static_cast<double>(machine->parts_done);
+    const auto rejected = static_cast<double>(machine->parts_rejected);
+    const double kept = done > 0 ? (done - rejected) / done : 1;
+    put("availability", "1", "actual production time / planned busy time (ISO 22400)",
+        ratio(production_min, busy_min));
+    put("effectiveness", "1", "planned main time of the parts made / actual production time (ISO 22400)",
+        ratio(machine->planned_min, production_min));
+    put("quality_ratio", "1", "parts not rejected at the machine / parts made (ISO 22400)",
+        ratio(done - rejected, done));
+    put("oee", "1",
+        "availability x effectiveness x quality ratio = value-adding share of the planned busy time",
+        ratio(machine->planned_min * kept, busy_min));
+    double active_min = 0;
+    for (std::size_t s = 0; s < machine_states; ++s)
+      if (!is_passive(static_cast<MachineState>(s))) active_min += time_in(static_cast<MachineState>(s));
+    put("utilization", "1", "active time / time inside the calendar",
+        ratio(active_min, window_min() - time_in(MachineState::off_shift)));
+    put("active_period_min", "min",
+        "mean uninterrupted active period; the longest in the shop marks the bottleneck (Roser 2001)",
+        ratio(active_min, static_cast<double>(machine->active_periods)));
+    if (spec.setup)
+      put("setups", "1", "changeovers in the counted time", static_cast<double>(machine->setups));
+    if (spec.limits.safety_clutch) {
+      put("overload_trips", "1", "trips of the safety clutch in the counted time",
+          static_cast<double>(machine->overload_trips));
+      put("overload_breaks", "1", "breaks that the safety clutch did not prevent",
+          static_cast<double>(machine->overload_breaks));
+    }
+    const scenarios::Power& power = spec.power;
+    if (power.cutting_kw > 0 || power.working_kw > 0 || power.standby_kw > 0 || power.off_kw > 0)
+      put("energy_kwh_per_part", "kWh", "electric energy / parts made",
+          ratio(energy_of(power, machine->clock), done));
+    if (!spec.failures.empty()) {
+      const auto failures = static_cast<double>(machine->failures);
+      put("mtbf_min", "min", "production time / failures", ratio(production_min, failures));
+      put("mttr_min", "min", "repair time without waiting / failures",
+          ratio(time_in(MachineState::repair), failures));
+    }
+    put("loss/breakdowns", "1",
+        "share of the planned busy time: repairs, changes after a failure, waiting for them",
+        ratio(breakdown_min, busy_min));
+    put("loss/setup", "1",
+        "share of the planned busy time: set-ups (and planned changes, as the scenario says)",
+        ratio(setup_min, busy_min));
+    put("loss/stops", "1",
+        "share of the planned busy time: idling, blocking, waiting, loading, planned changes",
+        ratio(stops_min, busy_min));
+    put("loss/speed", "1", "share of the planned busy time: production slower than planned",
+        ratio(production_min - machine->planned_min, busy_min));
+    put("loss/rejects", "1", "share of the planned busy time: spent on parts that were rejected",
+        ratio(machine->planned_min * (1 - kept), busy_min));
+    put("loss/start_up", "1", "share of the planned busy time: warming up", ratio(start_up_min, busy_min));
+    for (std::size_t s = 0; s < machine_states; ++s) {
+      const auto state = static_cast<MachineState>(s);
+      if (!can_occur(scenario_, spec, state)) continue;
+      sink(KpiInfo{fmt::format("machine/{}/state/{}", machine->name, name_of(state)), "1",
+                   std::string(meaning_of(state))},
+           ratio(time_in(state), window_min()));
+    }
+    for (const auto& stop : machine->stops)
+      if (stop->failure != nullptr)
+        sink(KpiInfo{fmt::format("machine/{}/failures/{}", machine->name, stop->failure->name), "1",
+                     "failures of this mode in the counted time"},
+             static_cast<double>(stop->count));
+    for (const auto& stop : machine->stops)
+      if (stop->maintenance != nullptr)
+        sink(KpiInfo{fmt::format("machine/{}/maintenance/{}", machine->name, stop->maintenance->name), "1",
+                     "maintenance jobs in the counted time"},
+             static_cast<double>(stop->count));
+  }
+  for (const auto& group : groups_)
+    sink(KpiInfo{fmt::format("queue/{}/mean_length", group->spec->name), "batches",
+                 "mean number of batches that wait before the machine group"},
+         group->queue_length.mean(sim_.now()));
+}
+
+void Shop::part_kpis(const KpiSink& sink) const {
+  for (std::size_t p = 0; p < parts_.size(); ++p) {
+    const PartCounts& counts = parts_[p];
+    const scenarios::PartType& type = scenario_.parts[p];
+    const auto good = static_cast<double>(counts.good);
+    const double finished = good + static_cast<double>(counts.scrapped);
+    const auto put = [&](const char* name, const char* unit, const char* meaning,
+                         std::optional<double> value) {
+      sink(KpiInfo{fmt::format("part/{}/{}", type.name, name), unit, meaning}, value);
+    };
+    put("good", "parts", "good parts in the counted time", good);
+    put("scrapped", "parts", "scrapped parts in the counted time", static_cast<double>(counts.scrapped));
+    put("throughput_per_h", "parts/h", "good parts per hour of calendar time",
+        ratio(good, window_min() / 60));
+    put("lead_time_min", "min", "mean time from the start or arrival of a part to its end",
+        ratio(counts.lead_time_min, finished));
+    bool reworks = false;
+    bool inspected = false;
+    for (const scenarios::RouteStep& step : routes_[p]) {
+      reworks = reworks || step.rework != scenarios::route_end;
+      inspected = inspected || operations_[step.operation].spec->quality.has_value();
+    }
+    if (reworks)
+      put("rework_ratio", "1", "parts sent to rework / parts finished",
+          ratio(static_cast<double>(counts.reworked), finished));
+    if (inspected)
+      put("escape_ratio", "1", "good parts with a defect that nobody saw / good parts",
+          ratio(static_cast<double>(counts.escaped), good));
+    if (has_due_dates(type)) {
+      put("late_share", "1", "good parts finished after their due date",
+          ratio(static_cast<double>(counts.late), good));
+      put("tardiness_min", "min", "mean time after the due date, parts in time count as zero",
+          ratio(counts.tardiness_min, good));
+    }
+  }
+}
+
+void Shop::crew_kpis(const KpiSink& sink) const {
+  for (std::size_t k = 0; k < scenario_.crews.size(); ++k)
+    sink(KpiInfo{fmt::format("crew/{}/utilization", scenario_.crews[k].name), "1",
+                 "minutes worked / minutes present"},
+         ratio(labour_->busy_min(k),
+               labour_->present_min(k, scenario_.simulation.warmup_min, scenario_.simulation.horizon_min)));
+}
+
+void Shop::store_and_transport_kpis(const KpiSink& sink) const {
+  for (const auto& store : stores_) {
+    const auto put = [&](const char* name, const char* unit, const char* meaning,
+                         std::optional<double> value) {
+      sink(KpiInfo{fmt::format("store/{}/{}", store->spec->name, name), unit, meaning}, value);
+    };
+    bool assembled_from = false;
+    for (const scenarios::Route& route : routes_)
+      for (const scenarios::RouteStep& step : route)
+        for (const scenarios::RouteComponent& c : step.assembles)
+          assembled_from = assembled_from || scenario_.parts[c.part].store == store->spec->name;
+    if (store->spec->demand || assembled_from)
+      put("mean_level", "parts", "mean number of parts in the store", store->mean_level.mean(sim_.now()));
+    if (store->spec->demand) {
+      put("fill_rate", "1", "customers served at once / customers",
+          ratio(static_cast<double>(store->customers - store->lost), static_cast<double>(store->customers)));
+    }
+  }
+  for (const auto& spares : spares_) {
+    sink(KpiInfo{fmt::format("spare/{}/used", spares->spec->name), "1",
+                 "spare parts used in the counted time"},
+         static_cast<double>(spares->used));
+    sink(KpiInfo{fmt::format("spare/{}/stock_outs", spares->spec->name), "1",
+                 "times that a repair had to wait for this spare part"},
+         static_cast<double>(spares->stock_outs));
+  }
+  for (const auto& carrier : carriers_) {
+    sink(KpiInfo{fmt::format("transport/{}/moves", carrier->spec->name), "1", "batches carried"},
+         static_cast<double>(carrier->moves));
+    if (carrier->fleet)
+      sink(KpiInfo{fmt::format("transport/{}/utilization", carrier->spec->name), "1",
+                   "minutes driven, empty ways included / minutes of all vehicles"},
+           ratio(carrier->busy_min, window_min() * static_cast<double>(carrier->fleet->vehicles.size())));
+  }
+}
+
+void Shop::each_kpi(const KpiSink& sink) const {
+  shop_kpis(sink);
+  machine_kpis(sink);
+  double finished = 0;
+  for (const PartCounts& part : parts_) finished += static_cast<double>(part.good + part.scrapped);
+  tool_kpis(finished, sink);
+  insert_kpis(finished, sink);
+  crew_kpis(sink);
+  part_kpis(sink);
+  store_and_transport_kpis(sink);
+}
+
+std::vector<std::optional<double>> Shop::run() {
+  sim_.run_until(scenario_.simulation.warmup_min);
+  reset_counts();
+  sim_.run_until(scenario_.simulation.horizon_min);
+  settle();
+  book_totals();
   std::vector<std::optional<double>> values;
-  each_kpi([&](const KpiInfo&, std::optional<double> value) { values.push_back(value); });
+  each_kpi([&](KpiInfo, std::optional<double> value) { values.push_back(value); });
   return values;
 }
 
 std::vector<KpiInfo> kpi_infos(const scenarios::Scenario& scenario) {
   std::vector<KpiInfo> infos;
   const Shop shop(scenario, 0);
-  shop.each_kpi([&](const KpiInfo& info, std::optional<double>) { infos.push_back(info); });
+  shop.each_kpi([&](KpiInfo info, std::optional<double>) { infos.push_back(std::move(info)); });
   return infos;
 }
 

@@ -1,6 +1,8 @@
 #pragma once
 // Key performance indicators of a shop: names, units and formulas (ISO 22400-2 names where it has them).
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,15 @@ struct KpiInfo {
   std::string unit;
   std::string meaning;  ///< one line with the formula
 };
+
+/// Takes one KPI: what it is, and its value (none where it is not defined).
+using KpiSink = std::function<void(KpiInfo, std::optional<double>)>;
+
+/// part / whole; none when the whole is not positive.
+[[nodiscard]] inline std::optional<double> ratio(double part, double whole) {
+  if (!(whole > 0)) return std::nullopt;
+  return part / whole;
+}
 
 /// The KPIs that a run of this scenario yields, in order.
 [[nodiscard]] std::vector<KpiInfo> kpi_infos(const scenarios::Scenario& scenario);

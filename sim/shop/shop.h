@@ -2,55 +2,82 @@
 // The shop built from a scenario: parts follow routes over machines that hold tools served by crews. One
 // object per replication, no globals.
 //
-// Accounting, as in the cost model of K117: a machine minute costs its rate in whatever state; a crew member
-// costs the wage for the minutes worked (or for the whole time, as the scenario says); an insert is booked by
-// life periods at every change or when it is fitted; a failure costs damage and, with a probability, the
-// part. A part that a failure spoils is finished by the new edge and found out afterwards: it counts as
-// scrapped.
+// Accounting, as in the cost model of K117: a machine minute inside the machine's calendar costs its rate in
+// whatever state; a crew member costs the wage for the minutes worked (or for the whole time, as the scenario
+// says); an insert is booked by life periods at every change or when it is fitted; a failure costs damage
+// and, with a probability, the part. A part that a failure spoils is finished by the new edge and found out
+// afterwards: it counts as scrapped. What is under way at the horizon has been paid for up to then and counts
+// as work in process; a stop that lasts beyond it is counted when it began, with the time it took so far.
 
 #include <cstdint>
-#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "scenarios/calendar.h"
+#include "scenarios/route.h"
 #include "scenarios/scenario.h"
 #include "sim/kernel/distribution.h"
-#include "sim/kernel/resource.h"
+#include "sim/kernel/event.h"
+#include "sim/kernel/quantile_sketch.h"
 #include "sim/kernel/simulation.h"
 #include "sim/kernel/store.h"
-#include "sim/shop/edge.h"
+#include "sim/kernel/tally.h"
+#include "sim/shop/costs.h"
+#include "sim/shop/crib.h"
+#include "sim/shop/job.h"
 #include "sim/shop/kpis.h"
+#include "sim/shop/labour.h"
+#include "sim/shop/lots.h"
 #include "sim/shop/state_clock.h"
 #include "sim/shop/strategy.h"
+#include "sim/shop/tool_body.h"
 
 namespace verstat::shop {
 
+class Trace;
+
 /// Everything counted since the end of the warm-up about one kind of tool.
 struct ToolCounts {
-  std::uint64_t planned_changes = 0;
-  std::uint64_t failures = 0;
+  std::uint64_t planned_changes = 0;  ///< of the tool, whatever the number of teeth
+  std::uint64_t failures = 0;         ///< changes after a failure
+  std::uint64_t teeth_failed = 0;     ///< in the cut
+  std::uint64_t joined_changes = 0;   ///< planned changes made at another stop
+  std::uint64_t inspections = 0;
+  std::uint64_t worn_found = 0;
+  std::uint64_t false_alarms = 0;
+  std::uint64_t waits = 0;  ///< for a tool or for inserts
+  std::uint64_t regrinds = 0;
   std::uint64_t inserts_fitted = 0;
-  std::uint64_t edges_used = 0;  ///< edges taken out
-  double edge_minutes_used = 0;  ///< cutting minutes of the edges taken out
-  double insert_cost = 0;
-  double regrind_cost = 0;
-  double damage_cost = 0;
+  std::uint64_t edges_used = 0;      ///< edges taken out
+  double edge_minutes_used = 0;      ///< cutting minutes of the edges taken out
+  std::uint64_t edges_unspent = 0;   ///< of those, taken out before they failed
+  double life_left = 0;              ///< sum over them of the share of life left
+  std::int64_t edges_at_start = 0;   ///< in tools at the start of the counted time
+  std::int64_t edges_fitted = 0;     ///< usable ones, with new inserts
+  std::int64_t edges_reground = 0;   ///< that regrinding brought back
+  std::int64_t edges_discarded = 0;  ///< never used: unusable ones, and those a failure broke
 };
 
+/// Everything counted about one part type. Parts, not batches.
 struct PartCounts {
+  std::uint64_t released = 0;
   std::uint64_t good = 0;
   std::uint64_t scrapped = 0;
-  double scrap_cost = 0;
-  double lead_time_min = 0;      ///< sum over finished parts
-  std::uint64_t in_process = 0;  ///< now, not since the warm-up
+  std::uint64_t reworked = 0;
+  std::uint64_t escaped = 0;               ///< good ones with a defect nobody saw
+  std::uint64_t late = 0;                  ///< good ones after their due date
+  double tardiness_min = 0;                ///< sum over good parts
+  std::array<double, phases> phase_min{};  ///< sums over parts finished, good or scrapped
+  double lead_time_min = 0;                ///< sum over parts finished
 };
 
 class Shop {
  public:
-  /// Builds the shop of a checked scenario. `replication` counts from 0 and picks the random streams.
-  Shop(const scenarios::Scenario& scenario, std::uint64_t replication);
+  /// Builds the shop of a checked scenario. `replication` counts from 0 and picks the random streams. The
+  /// trace, when there is one, must outlive the shop.
+  Shop(const scenarios::Scenario& scenario, std::uint64_t replication, Trace* trace = nullptr);
   Shop(const Shop&) = delete;
   Shop& operator=(const Shop&) = delete;
   ~Shop();
@@ -59,56 +86,210 @@ class Shop {
   /// Throws sim::ProcessError; that would be a bug of ours or an exhausted event budget.
   [[nodiscard]] std::vector<std::optional<double>> run();
   [[nodiscard]] std::uint64_t events_executed() const { return sim_.events_executed(); }
+  /// After run(): laws of conservation that do not hold, in words. Empty when all is well.
+  [[nodiscard]] std::vector<std::string> audit() const;
 
  private:
   friend std::vector<KpiInfo> kpi_infos(const scenarios::Scenario& scenario);
-  struct Job {
-    std::size_t part = 0;
-    std::size_t step = 0;
-    double released_min = 0;
-    bool spoiled = false;
-  };
+  struct Group;
+  struct MountedTool;
+  struct ToolPool;
+  struct ElementUnit;
+  struct MachineUnit;
+  struct Stop;
+  struct Spares;
+  struct StoreUnit;
+  struct Source;
+  struct Carrier;
+  struct Fleet;
   struct PlannedOperation {
     const scenarios::Operation* spec;
     std::size_t group;  // of the machines that do it
     operations::CutPlan plan;
     std::optional<sim::Distribution> time_law;
+    /// Mean lives, min, of the elements that its tool has a service for; infinite: not worn.
+    std::vector<double> element_mean_min;
   };
-  struct Group;
-  struct MountedTool;
-  struct MachineUnit;
-  struct CrewUnit;
+  /// An operation with its plan on every group that can do it.
+  struct OperationUnit {
+    const scenarios::Operation* spec;
+    std::vector<PlannedOperation> on;
+    std::size_t family = 0;
+    std::size_t next_in_turn = 0;
+  };
+  /// Where a batch goes next: to a machine group, or to the store of its part type.
+  struct Place {
+    std::size_t group = scenarios::route_end;
+    std::size_t store = scenarios::route_end;
+  };
 
+  // build.cpp
+  void build_operations();
+  void build_machines();
+  void build_tools();  // tool_setup.cpp
+  void build_flow();
+  void start();
+
+  // machine.cpp: machines at work
   [[nodiscard]] sim::Task<void> machine_process(MachineUnit& machine);
-  [[nodiscard]] sim::Task<void> arrival_process(std::size_t part);
-  [[nodiscard]] sim::Task<void> turn(MachineUnit& machine, MountedTool& tool, double main_time_min,
-                                     double mean_life_min, Job& job);
+  [[nodiscard]] sim::Task<Job*> wait_for_job(MachineUnit& machine);
+  [[nodiscard]] sim::Task<void> process(MachineUnit& machine, Job& job);
+  [[nodiscard]] sim::Task<void> set_up(MachineUnit& machine, std::size_t family);
+  [[nodiscard]] sim::Task<void> work_on_part(MachineUnit& machine, const PlannedOperation& operation);
+  [[nodiscard]] sim::Task<void> load(MachineUnit& machine, bool unloading);
+  [[nodiscard]] sim::Task<void> overload(MachineUnit& machine, const operations::Overload& expected);
+  [[nodiscard]] sim::Task<void> open_shift(MachineUnit& machine);
+  /// The machine spends `time_min` in `state`, and so does the tool that works (null: none). The only place
+  /// where time passes for a machine that has work: what stretches it (failures, ends of shifts) is dealt
+  /// with there.
+  [[nodiscard]] sim::Task<void> spend(MachineUnit& machine, MachineState state, double time_min,
+                                      MountedTool* tool = nullptr);
+  /// A member of one of the crews comes to the machine, which waits in `waiting` for it.
+  [[nodiscard]] sim::Task<CrewHold> call_crew(MachineUnit& machine, const std::vector<std::size_t>& crews,
+                                              Cost heading, std::int64_t priority = 0,
+                                              MachineState waiting = MachineState::waiting_crew,
+                                              MountedTool* tool = nullptr);
+  void enter(MachineUnit& machine, MachineState state, MountedTool* tool = nullptr);
+
+  // stops.cpp: failures and maintenance
+  [[nodiscard]] Stop* due_stop(MachineUnit& machine, scenarios::StopEffect context) const;
+  [[nodiscard]] double time_to_stop(const MachineUnit& machine, MachineState state,
+                                    scenarios::StopEffect context) const;
+  [[nodiscard]] sim::Task<void> deal_with_stops(MachineUnit& machine, scenarios::StopEffect context,
+                                                MountedTool* tool = nullptr);
+  [[nodiscard]] sim::Task<void> stand_still(MachineUnit& machine, Stop& stop, MountedTool* tool);
+  void renew(MachineUnit& machine, Stop& stop);
+  [[nodiscard]] sim::Task<void> take_spare(std::size_t spare);
+  [[nodiscard]] sim::Task<void> deliver_spares(std::size_t spare);
+
+  // tooling.cpp: tools at work
+  /// Cuts one part: `main_time_min` at full feed.
+  [[nodiscard]] sim::Task<void> cut(MachineUnit& machine, MountedTool& tool,
+                                    const PlannedOperation& operation, double main_time_min);
+  /// The edges of the tool are changed, on the machine or by a sister tool. A failure that no tooth has had
+  /// is a break of the whole tool.
   [[nodiscard]] sim::Task<void> change_edge(MachineUnit& machine, MountedTool& tool, bool after_failure,
                                             double mean_life_min);
-  [[nodiscard]] std::optional<Job> next_job(Group& group);
+  /// The machine has stopped for something else before; `present`: crews of which a member is there (null:
+  /// nobody).
+  struct Stopped {
+    bool before = false;
+    const std::vector<std::size_t>* present = nullptr;
+  };
+  [[nodiscard]] sim::Task<void> change_on_machine(MachineUnit& machine, MountedTool& tool, bool after_failure,
+                                                  double mean_life_min, Stopped stopped);
+  /// Edges whose strategy uses other stops are changed while the machine stands; `in_hand` (null: none) is
+  /// not asked.
+  [[nodiscard]] sim::Task<void> join_stop(MachineUnit& machine, const MountedTool* in_hand,
+                                          const std::vector<std::size_t>* present);
+  [[nodiscard]] sim::Task<void> inspect_edge(MachineUnit& machine, MountedTool& tool, double mean_life_min);
+  [[nodiscard]] sim::Task<void> change_element(MachineUnit& machine, MountedTool& tool, ElementUnit& element);
+  [[nodiscard]] sim::Task<void> wait_for_inserts(MachineUnit& machine, MountedTool& tool,
+                                                 std::int64_t inserts);
+  /// Books a change; `renew_teeth` makes it and returns `time_min` plus the time at the teeth.
+  void count_change(const MountedTool& tool, bool after_failure);
+  [[nodiscard]] double renew_teeth(MountedTool& tool, ToolBody& body, bool after_failure, bool reground,
+                                   double mean_life_min, double time_min);
+
+  // tool_room.cpp: copies of tools
+  [[nodiscard]] sim::Task<void> swap_tool(MachineUnit& machine, MountedTool& tool, bool after_failure,
+                                          double mean_life_min);
+  /// A copy comes into the machine; waits until one is ready.
+  [[nodiscard]] sim::Task<void> fetch_tool(MachineUnit& machine, MountedTool& tool);
+  /// A shared copy is free for other machines.
+  static void put_back(MountedTool& tool);
+  /// New edges, regrinding and setting off the machine; then the copy is ready again.
+  [[nodiscard]] sim::Task<void> tool_room(MountedTool& tool, ToolBody& body, bool after_failure,
+                                          double mean_life_min);
+
+  // quality.cpp
   /// Whether the tool breaks in this cut, and whether the part is spoiled by the process, as the plan says.
   [[nodiscard]] static bool breaks(MachineUnit& machine, const PlannedOperation& operation);
   [[nodiscard]] static bool spoils(MachineUnit& machine, const PlannedOperation& operation);
-  void release(Job job);
-  void pass_on(Job job);
+  [[nodiscard]] static bool leaves_defect(MachineUnit& machine, const PlannedOperation& operation);
+  /// Number of parts of the batch that an inspection rejects; their defects leave the batch with them.
+  [[nodiscard]] static std::int64_t inspect(MachineUnit& machine, const PlannedOperation& operation,
+                                            Job& job);
+  /// Takes `quantity` rejected parts out of the batch: to rework, or to scrap.
+  void reject(MachineUnit& machine, Job& job, std::int64_t quantity);
+
+  // flow.cpp: batches between machines
+  [[nodiscard]] sim::Task<void> arrivals(Source& source);
+  [[nodiscard]] sim::Task<void> demand(StoreUnit& store);
+  [[nodiscard]] sim::Task<void> pass_on(MachineUnit& machine, Job& job);
+  [[nodiscard]] sim::Task<void> carry(Job& job, Carrier& carrier, std::size_t from, Place to);
+  [[nodiscard]] Job* take_job(MachineUnit& machine);
+  [[nodiscard]] std::size_t best_waiting(const MachineUnit& machine) const;
+  [[nodiscard]] Job* new_unlimited_job(Group& group);
+  [[nodiscard]] Job* new_job(std::size_t part, std::int64_t quantity);
+  [[nodiscard]] const PlannedOperation& planned(const Job& job) const;
+  [[nodiscard]] std::size_t choose_step(MachineUnit& machine, const Job& job);
+  [[nodiscard]] std::size_t choose_group(std::size_t operation);
+  [[nodiscard]] bool has_room(Place place, const Job& job) const;
+  [[nodiscard]] Carrier* carrier_between(std::size_t from_group, Place to);
+  void backlog(std::size_t part, std::int64_t quantity, double due_min);
+  void release_what_may(std::size_t part);
+  void release_after_queue_change(std::size_t group);
+  void start_route(Job& job);
+  void send(Job& job, std::size_t group);
+  void arrive(Job& job);
+  [[nodiscard]] bool take_components(std::size_t part, std::size_t step, std::int64_t quantity);
+  void serve_assemblies();
+  void store_parts(Job& job);
+  void finish(Job& job);
+  void count_lead_time(const Job& job, std::int64_t quantity);
+
+  // kpis.cpp, tool_kpis.cpp
   void reset_counts();
   void settle();
-  [[nodiscard]] std::vector<std::optional<double>> compute_kpis() const;
-  /// Calls sink(KpiInfo, std::optional<double>) for every KPI, in order: names and values stand together.
-  template <class Sink>
-  void each_kpi(Sink&& sink) const;
+  void book_totals();
+  /// Hands every KPI to the sink, in order: names and values stand together.
+  void each_kpi(const KpiSink& sink) const;
+  void shop_kpis(const KpiSink& sink) const;
+  void machine_kpis(const KpiSink& sink) const;
+  void part_kpis(const KpiSink& sink) const;
+  /// `finished` parts in the counted time, good or scrapped.
+  void tool_kpis(double finished, const KpiSink& sink) const;
+  void insert_kpis(double finished, const KpiSink& sink) const;
+  void reset_tool_counts();
+  /// Adds laws of edges, inserts and copies that do not hold.
+  void audit_tools(std::vector<std::string>& broken) const;
+  /// Edges in all copies of a tool.
+  [[nodiscard]] std::int64_t edges_in_tools(std::size_t tool) const;
+  void crew_kpis(const KpiSink& sink) const;
+  void store_and_transport_kpis(const KpiSink& sink) const;
+  [[nodiscard]] double window_min() const {
+    return scenario_.simulation.horizon_min - scenario_.simulation.warmup_min;
+  }
 
   const scenarios::Scenario& scenario_;
   std::uint64_t replication_;
+  Trace* trace_;
+  JobPool jobs_;
+  Costs costs_;
+  // Before the simulation: processes end with it, and what they hold goes back.
+  std::unique_ptr<Labour> labour_;
   sim::Simulation sim_;
-  std::vector<PlannedOperation> operations_;  // one per operation of the scenario
-  std::vector<std::unique_ptr<CrewUnit>> crews_;
+  std::vector<OperationUnit> operations_;  // one per operation of the scenario
+  std::vector<std::string> families_;
   std::vector<std::unique_ptr<Group>> groups_;
+  std::vector<scenarios::Insert> inserts_;          // as fitted; behind them one for tools without
+  std::vector<std::unique_ptr<LotSource>> lots_;    // one per insert; null: one lot
+  std::vector<std::unique_ptr<InsertCrib>> cribs_;  // one per insert; null: always enough
+  std::vector<std::unique_ptr<ToolPool>> pools_;    // of copies
   std::vector<std::unique_ptr<MachineUnit>> machines_;
+  std::vector<std::unique_ptr<Spares>> spares_;
+  std::vector<std::unique_ptr<StoreUnit>> stores_;
+  std::vector<std::unique_ptr<Source>> sources_;  // one per part type
+  std::vector<std::unique_ptr<Carrier>> carriers_;
   std::vector<ToolCounts> tools_;  // one per tool of the scenario
   std::vector<PartCounts> parts_;  // one per part type
-  // routes_[part][step]: index of the operation, looked up by name once
-  std::vector<std::vector<std::size_t>> routes_;
+  std::vector<scenarios::Route> routes_;
+  std::vector<std::vector<double>> work_left_min_;  // [part][step]: expected work on the rest of the route
+  std::vector<Job*> waiting_for_components_;
+  sim::TimeWeighted work_in_process_{0.0};  // parts in the shop
+  sim::QuantileSketch lead_times_;
+  std::uint64_t next_number_ = 0;
 };
 
 }  // namespace verstat::shop

@@ -1,63 +1,277 @@
 #pragma once
 // The inner parts of a Shop; nobody else includes this.
 
+#include <deque>
 #include <map>
 
+#include "scenarios/layout.h"
+#include "sim/kernel/arrivals.h"
 #include "sim/shop/durations.h"
 #include "sim/shop/shop.h"
+#include "sim/shop/unattended.h"
 
 namespace verstat::shop {
 
-struct Shop::CrewUnit {
-  CrewUnit(sim::Simulation& sim, const scenarios::Crew& crew)
-      : spec(&crew), members(sim, crew.name, static_cast<int>(crew.members)) {}
-  const scenarios::Crew* spec;
-  sim::Resource members;
-};
-
-// Identical machines share one queue of jobs.
+// Identical machines share one queue of batches.
 struct Shop::Group {
-  Group(sim::Simulation& sim, const scenarios::Machine& machine) : spec(&machine), queue(sim) {}
+  Group(sim::Simulation& sim, const scenarios::Machine& machine) : spec(&machine), room(sim) {}
   const scenarios::Machine* spec;
-  sim::Store<Job> queue;
+  std::deque<Job*> queue;         // in order of arrival
+  std::deque<MachineUnit*> idle;  // machines that wait for work, who waits longest first
+  std::int64_t on_their_way = 0;  // batches sent here that have not arrived: their room is taken
+  std::int64_t in_work = 0;
+  sim::Signal room;                          // the queue has become shorter
   std::vector<std::size_t> unlimited_parts;  // part types that are always available and start here
   std::size_t next_unlimited = 0;
+  std::optional<scenarios::WorkingTime> working_time;
+  std::optional<sim::Distribution> loading_time;
+  std::optional<sim::Distribution> unloading_time;
+  std::optional<sim::Distribution> break_repair;
+  std::vector<std::size_t> overload_crews;
+  std::optional<sim::Distribution> warm_up_time;
+  struct SetupLaw {
+    std::optional<std::size_t> from;  // none: any
+    std::optional<std::size_t> to;
+    sim::Distribution time;
+  };
+  std::vector<SetupLaw> setup_times;
+  std::vector<std::size_t> setup_crews;
+  std::vector<std::size_t> attendance_crews;
+  sim::TimeWeighted queue_length;
 };
 
-// A tool on a machine: its own insert, its own clock.
+// Copies of a tool that take each other's place; what is not in a machine or in the tool room is ready.
+struct Shop::ToolPool {
+  explicit ToolPool(sim::Simulation& sim) : ready(sim) {}
+  std::vector<std::unique_ptr<ToolBody>> copies;
+  std::size_t tool = 0;  // in the scenario's tools
+  std::size_t in_tool_room = 0;
+  sim::Store<ToolBody*> ready;
+};
+
+// A second element that operations with this tool wear.
+struct Shop::ElementUnit {
+  ElementUnit(const scenarios::ElementService& service, const operations::ElementLife& element,
+              std::uint64_t seed, const std::string& entity, std::uint64_t replication);
+  void renew();
+  const scenarios::ElementService* spec;
+  models::LifeLaw unit_life;
+  double limit;  // planned change, mean lives; infinite: none
+  double life = 0;
+  double wear = 0;
+  double use_min = 0;  // cutting since it was changed
+  sim::Distribution change_time;
+  sim::RandomStream life_stream;
+  sim::RandomStream change_stream;
+  std::uint64_t changes = 0;  // since the warm-up, and their use
+  double use_min_sum = 0;
+};
+
+// A tool on a machine: its own clock, and the copy that works.
 struct Shop::MountedTool {
-  MountedTool(const scenarios::Scenario& scenario, const scenarios::Tool& spec, std::size_t index,
-              CrewUnit& crew, const std::string& entity, std::uint64_t replication);
+  MountedTool(const scenarios::Scenario& scenario, std::size_t index, const scenarios::Insert& insert,
+              const MachineUnit& machine, std::uint64_t replication);
+  [[nodiscard]] ToolView view(double main_time_min) const;
   const scenarios::Tool* spec;
   const scenarios::Insert* insert_spec;
-  std::size_t index;  // in the scenario's tools
-  CrewUnit* crew;
-  FittedInsert insert;
+  std::size_t index;    // in the scenario's tools
+  std::size_t machine;  // among all machines
+  std::vector<std::size_t> crews;
+  std::vector<std::size_t> failure_crews;
+  std::vector<std::size_t> presetting_crews;
+  InsertCrib* crib = nullptr;      // null: there are always inserts
+  std::unique_ptr<ToolBody> own;   // when edges are changed on the machine
+  ToolPool* pool = nullptr;        // when copies are
+  ToolBody* body = nullptr;        // in the machine
+  const ToolBody* last = nullptr;  // that was in the machine before
   std::unique_ptr<Strategy> strategy;
-  double wear_since_plan = 0;
+  double sign_share = 1;     // of its life from which an edge shows its wear
+  double mean_life_min = 0;  // of an edge in the operation before
+  std::vector<ElementUnit> elements;
   StateClock clock;
+  IntervalCount stops;    // of the machine that somebody has to come for, or that wait for a tool
+  IntervalCount changes;  // of the tool
   sim::Distribution index_time;
   sim::Distribution replace_time;
+  sim::Distribution swap_time;
+  std::optional<sim::Distribution> presetting_time;
+  std::optional<sim::Distribution> regrind_time;
   sim::RandomStream index_stream;
   sim::RandomStream replace_stream;
   sim::RandomStream scrap_stream;
+  sim::RandomStream swap_stream;
+  sim::RandomStream inspection_stream;
+  sim::RandomStream presetting_stream;
+  sim::RandomStream regrind_stream;
+};
+
+// A failure mode or a maintenance job of one machine.
+struct Shop::Stop {
+  Stop(std::uint64_t seed, const std::string& entity, std::uint64_t replication)
+      : life_stream(seed, entity, "time to failure", replication),
+        duration_stream(seed, entity, "stop duration", replication),
+        scrap_stream(seed, entity, "scrap", replication),
+        detection_stream(seed, entity, "detection", replication) {}
+  const scenarios::FailureMode* failure = nullptr;  // one of the two
+  const scenarios::Maintenance* maintenance = nullptr;
+  scenarios::UsageClock clock = scenarios::UsageClock::calendar;
+  scenarios::StopEffect effect = scenarios::StopEffect::at_once;
+  double renewed = 0;  // reading of the clock when it was as new
+  double due = 0;      // reading at which it comes
+  std::optional<sim::Distribution> life;
+  std::optional<sim::Distribution> duration;
+  std::vector<std::size_t> crews;
+  std::size_t spare = scenarios::route_end;
+  std::vector<std::size_t> renews;  // indices of failure modes among the machine's stops
+  sim::RandomStream life_stream;
+  sim::RandomStream duration_stream;
+  sim::RandomStream scrap_stream;
+  sim::RandomStream detection_stream;
+  std::uint64_t count = 0;
 };
 
 struct Shop::MachineUnit {
   MachineUnit(const scenarios::Scenario& scenario, std::string unit_name, Group& machine_group,
-              std::uint64_t replication)
+              std::size_t unit_index, sim::Simulation& sim, std::uint64_t replication)
       : name(std::move(unit_name)),
         group(&machine_group),
+        index(unit_index),
+        clock(machine_group.working_time ? &*machine_group.working_time : nullptr),
+        inbox(sim),
         duration_stream(scenario.simulation.seed.value, name, "plain duration", replication),
         breakage_stream(scenario.simulation.seed.value, name, "tool breakage", replication),
-        quality_stream(scenario.simulation.seed.value, name, "process scrap", replication) {}
+        quality_stream(scenario.simulation.seed.value, name, "process scrap", replication),
+        defect_stream(scenario.simulation.seed.value, name, "hidden defect", replication),
+        inspection_stream(scenario.simulation.seed.value, name, "inspection", replication),
+        loading_stream(scenario.simulation.seed.value, name, "loading", replication),
+        unloading_stream(scenario.simulation.seed.value, name, "unloading", replication),
+        setup_stream(scenario.simulation.seed.value, name, "setup", replication),
+        routing_stream(scenario.simulation.seed.value, name, "routing", replication),
+        overload_stream(scenario.simulation.seed.value, name, "overload", replication) {}
   std::string name;
   Group* group;
+  std::size_t index;  // among all machines
   StateClock clock;
+  sim::Store<Job*> inbox;                                     // a batch handed over to an idle machine
   std::map<std::string, std::unique_ptr<MountedTool>> tools;  // by name
+  bool has_joiners = false;                                   // a tool whose strategy uses other stops
+  std::vector<std::unique_ptr<Stop>> stops;
+  Job* job = nullptr;                    // in work
+  std::optional<std::size_t> attendant;  // crew of whoever stays with the machine
+  bool part_spoiled = false;             // the part in work
+  double part_wear = 0;                  // of the edge after the part in work, in mean lives
+  bool standing_still = false;           // a stop is being dealt with
+  std::optional<std::size_t> family;
+  // Readings of the usage clocks.
+  double operating_min = 0;
+  double cutting_min = 0;
+  double parts = 0;
+  // Counted since the end of the warm-up.
+  std::uint64_t parts_done = 0;
+  std::uint64_t parts_rejected = 0;
+  double planned_min = 0;  // main time of the parts done, as planned
+  std::uint64_t setups = 0;
+  std::uint64_t failures = 0;
+  std::uint64_t maintenance_jobs = 0;
+  std::uint64_t overload_trips = 0;
+  std::uint64_t overload_breaks = 0;
+  std::uint64_t active_periods = 0;
   sim::RandomStream duration_stream;
   sim::RandomStream breakage_stream;
   sim::RandomStream quality_stream;
+  sim::RandomStream defect_stream;
+  sim::RandomStream inspection_stream;
+  sim::RandomStream loading_stream;
+  sim::RandomStream unloading_stream;
+  sim::RandomStream setup_stream;
+  sim::RandomStream routing_stream;
+  sim::RandomStream overload_stream;
+};
+
+struct Shop::Spares {
+  Spares(const scenarios::Spare& spare, sim::Simulation& sim, std::uint64_t seed, std::uint64_t replication)
+      : spec(&spare),
+        stock(spare.stock),
+        arrived(sim),
+        lead_time(law_of(spare.lead_time)),
+        lead_time_stream(seed, spare.name, "lead time", replication) {}
+  const scenarios::Spare* spec;
+  std::int64_t stock;
+  std::int64_t ordered = 0;
+  std::uint64_t used = 0;
+  std::uint64_t used_ever = 0;
+  std::uint64_t delivered_ever = 0;
+  std::uint64_t stock_outs = 0;
+  sim::Signal arrived;
+  sim::Distribution lead_time;
+  sim::RandomStream lead_time_stream;
+};
+
+struct Shop::StoreUnit {
+  StoreUnit(const scenarios::Store& store, sim::Simulation& sim) : spec(&store), room(sim) {}
+  const scenarios::Store* spec;
+  std::vector<std::int64_t> parts;  // by part type
+  std::vector<std::size_t> kinds;   // part types that are kept here
+  std::int64_t level = 0;
+  std::int64_t on_their_way = 0;  // parts that have left their machine for here
+  sim::Signal room;
+  sim::TimeWeighted mean_level;
+  std::uint64_t customers = 0;
+  std::uint64_t lost = 0;
+  std::uint64_t taken = 0;      // by customers, ever
+  std::uint64_t assembled = 0;  // into other parts, ever
+  std::uint64_t stored = 0;     // ever
+};
+
+// How blanks of one part type come and are let into the shop.
+struct Shop::Source {
+  Source(const scenarios::PartType& type, std::size_t part_index, std::uint64_t seed,
+         std::uint64_t replication)
+      : spec(&type),
+        part(part_index),
+        arrival_stream(seed, type.name, "interarrival", replication),
+        due_stream(seed, type.name, "due date", replication) {}
+  struct Waiting {
+    std::int64_t quantity;
+    double arrived_min;
+    double due_min;
+  };
+  const scenarios::PartType* spec;
+  std::size_t part;
+  std::deque<Waiting> backlog;  // arrived, not yet released
+  std::int64_t batches_in_shop = 0;
+  std::uint64_t released_ever = 0;  // parts
+  std::uint64_t ended_ever = 0;     // parts stored or scrapped
+  std::int64_t parts_in_shop = 0;
+  std::optional<std::size_t> watched_group;  // of a station threshold
+  std::optional<sim::Distribution> due_after;
+  sim::RandomStream arrival_stream;
+  sim::RandomStream due_stream;
+};
+
+// Vehicles of one transport entry.
+struct Shop::Fleet {
+  struct Vehicle {
+    std::size_t at;  // place of the layout
+    bool free = true;
+  };
+  std::vector<Vehicle> vehicles = {};
+  scenarios::Layout layout;
+  std::vector<std::size_t> crews = {};
+};
+
+struct Shop::Carrier {
+  Carrier(const scenarios::Transport& transport, sim::Simulation& sim, std::uint64_t seed,
+          std::uint64_t replication)
+      : spec(&transport), room(sim), stream(seed, transport.name, "transport time", replication) {}
+  const scenarios::Transport* spec;
+  std::optional<sim::Distribution> time;
+  std::int64_t on_board = 0;
+  sim::Signal room;  // of a conveyor; a vehicle that has become free
+  std::optional<Fleet> fleet;
+  double busy_min = 0;
+  std::uint64_t moves = 0;
+  sim::RandomStream stream;
 };
 
 }  // namespace verstat::shop

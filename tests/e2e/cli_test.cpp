@@ -81,7 +81,7 @@ TEST_CASE("malformed and absurd input: one clear line, exit code 2, no database"
         Case{"run README.md", "scenario README.md: is not JSON: line 1"}, Case{"run", "SCENARIO is required"},
         Case{"run " + cell + " --colour", "--colour"}, Case{"optimize " + cell, "study " + cell + ": /"},
         Case{"optimize " + study + " --replications 1", "at least 2 pairs"},
-        Case{"optimize " + study + " --set /parts/0/route=[]", "/parts/0/route has 0 entries"}}) {
+        Case{"optimize " + study + " --set /parts/0/route=[]", "/parts/0/route = nothing"}}) {
     INFO(c.arguments);
     const Answer a = call(c.arguments + db);
     CHECK(a.exit_code == 2);

@@ -2,7 +2,7 @@
 
 #include "operations/kinds/ball_screw_grinding.h"
 
-#include "tests/operations/process_example.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 namespace verstat::operations {
@@ -11,19 +11,18 @@ namespace {
 using test::limit_of;
 
 BallScrewGrinding narrow() {
-  return test::gallery_spec<BallScrewGrinding>("ball_screw_grinding");
+  return test::Gallery("ball_screw_grinding").spec<BallScrewGrinding>();
 }
 BallScrewGrinding copying() {
-  return test::gallery_spec<BallScrewGrinding>("ball_screw_copying");
+  return test::Gallery("ball_screw_copying").spec<BallScrewGrinding>();
 }
 
 TEST_CASE("ball screw grinding: the examples are feasible and survive JSON") {
   for (const char* name : {"ball_screw_grinding", "ball_screw_copying"}) {
-    const MachineLimits machine = test::gallery_machine(name);
+    const MachineLimits machine = test::Gallery(name).file.machine_limits;
     PlanContext context;
     context.machine = &machine;
-    CHECK(plan(test::gallery_spec<BallScrewGrinding>(name), context).feasible());
-    CHECK(test::survives_json(name));
+    CHECK(plan(test::Gallery(name).spec<BallScrewGrinding>(), context).feasible());
   }
 }
 
@@ -105,7 +104,7 @@ TEST_CASE("ball screw grinding: bad specifications name the place") {
   s = copying();
   s.wheel_width_mm = 3;
   CHECK(test::refusal(s).find("must cover the groove") != std::string::npos);
-  nlohmann::json json = test::gallery_json("ball_screw_grinding").at("process");
+  nlohmann::json json = test::Gallery("ball_screw_grinding").json.at("process");
   json["method"] = "wide";
   CHECK(test::refusal(json).find("\"narrow\", \"copying\"") != std::string::npos);
 }

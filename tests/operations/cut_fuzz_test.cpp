@@ -2,7 +2,7 @@
 
 #include <cmath>
 
-#include "tests/operations/cut_example.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 using namespace verstat;
@@ -25,8 +25,11 @@ bool all_finite(const operations::CutPlan& plan) {
 
 TEST_CASE("changed examples give finite plans or errors") {
   for (const std::string name :
-       {"turning", "hard_turning", "stone_turning", "roll_machining", "thermo_friction"}) {
-    const test::CutExample example(name);
+       {"turning", "hard_turning", "stone_turning", "roll_machining", "thermo_friction", "thread_rolling",
+        "auger_winding", "gear_rolling", "tool_steel_finishing", "drill_finishing", "magnetic_abrasive",
+        "pulse_current", "blade_finishing", "coating", "reaming", "gauge_inspection", "inspection",
+        "cutting_off", "gear_generating"}) {
+    const test::Gallery example(name);
     const auto leaves = example.json.at("process").flatten();
     test::property(name, [&] {
       auto flat = leaves;
@@ -46,7 +49,7 @@ TEST_CASE("changed examples give finite plans or errors") {
         using Binding = models::detail::Binding<operations::Process>;
         Binding::read(process, scenarios::to_value(flat.unflatten()), field);
         Binding::check(process, field);
-        RC_ASSERT(all_finite(process.plan(example.context)));
+        RC_ASSERT(all_finite(process.plan(example.context())));
         RC_TAG("planned");
       } catch (const models::ModelError& e) {
         RC_ASSERT(std::string(e.what()).size() > 10);

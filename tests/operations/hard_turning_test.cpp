@@ -5,19 +5,19 @@
 #include <numbers>
 
 #include "models/toolpath/k107_round_insert_notch_clashes.h"
-#include "tests/operations/cut_example.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 using namespace verstat;
 using namespace verstat::operations;
 using verstat::test::limit_of;
-using verstat::test::planning_error;
+using verstat::test::refusal;
 using verstat::test::value_of;
 
 namespace {
 
 HardTurning example() {
-  return *test::CutExample("hard_turning").process.as<HardTurning>();
+  return test::Gallery("hard_turning").spec<HardTurning>();
 }
 
 bool in_a_band(const CutPlan& p, const std::string& knob) {
@@ -32,9 +32,9 @@ double part(double low, double high) {
 }  // namespace
 
 TEST_CASE("hard turning: a feed of 0.30 mm/rev is forbidden on the shaped part, 0.42 is not") {
-  const test::CutExample gallery("hard_turning");
+  const test::Gallery gallery("hard_turning");
   HardTurning t = example();
-  const CutPlan forbidden = gallery.process.plan(gallery.context);
+  const CutPlan forbidden = gallery.file.process.plan(gallery.context());
   CHECK(in_a_band(forbidden, "feed_mm_rev"));
   CHECK_FALSE(in_a_band(forbidden, "depth_of_cut_mm"));
   CHECK_FALSE(forbidden.feasible());
@@ -46,13 +46,12 @@ TEST_CASE("hard turning: a feed of 0.30 mm/rev is forbidden on the shaped part, 
   CHECK(band->high > 0.3053);
 
   t.feed_mm_rev = 0.42;
-  const CutPlan free = plan(t, gallery.context);
+  const CutPlan free = plan(t, gallery.context());
   CHECK(free.bands.size() == forbidden.bands.size());
   CHECK(free.feasible());
   CHECK(free.scrap_probability == 0);
   CHECK(value_of(free, "notch_margin_deg") > 0);
   CHECK(free.main_time_min == Approx(std::numbers::pi * 40 * 280 / (1000 * 120 * 0.42)));
-  test::check_round_trip(gallery.process);
 }
 
 TEST_CASE("hard turning: the depth that a rise of 20 degrees forbids") {
@@ -166,10 +165,10 @@ TEST_CASE("hard turning: ceramic chatters between 60 and 100 m/min, ends include
 TEST_CASE("hard turning: bad specifications are named") {
   HardTurning t = example();
   t.length_between_centres_mm.reset();
-  CHECK(planning_error(t) == "deflection_max_um = 60, needs the member \"length_between_centres_mm\"");
+  CHECK(refusal(t) == "deflection_max_um = 60, needs the member \"length_between_centres_mm\"");
   t = example();
   t.insert_radius_mm = 1;
-  CHECK(planning_error(t).find("r = 1, allowed 2 <= r <= 16") != std::string::npos);
+  CHECK(refusal(t).find("r = 1, allowed 2 <= r <= 16") != std::string::npos);
   t = example();
   t.least_concave_radius_mm = 3;
   CHECK_FALSE(limit_of(plan(t, {}), "least_concave_radius_mm").met());

@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "models/grinding/k303_cutting_surface_height.h"
-#include "tests/operations/process_example.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 namespace verstat::operations {
@@ -14,16 +14,15 @@ namespace {
 using test::limit_of;
 
 InternalGrinding example() {
-  return test::gallery_spec<InternalGrinding>("internal_grinding");
+  return test::Gallery("internal_grinding").spec<InternalGrinding>();
 }
 
 TEST_CASE("internal grinding: the example is feasible and survives JSON") {
-  const MachineLimits machine = test::gallery_machine("internal_grinding");
+  const MachineLimits machine = test::Gallery("internal_grinding").file.machine_limits;
   PlanContext context;
   context.machine = &machine;
   const CutPlan p = plan(example(), context);
   CHECK(p.feasible());
-  CHECK(test::survives_json("internal_grinding"));
   // 15 + 5 revolutions at 38.2 rpm.
   CHECK(p.main_time_min == Approx(20 * std::numbers::pi * 50 / 6000));
   CHECK(*p.value_of("power_kw") == Approx(60 * 1000 * 6 * 0.010 * 14 / 60'000));
@@ -90,7 +89,7 @@ TEST_CASE("internal grinding: bad specifications name the place") {
   s = example();
   s.wheel_diameter_mm = 50;
   CHECK(test::refusal(s).find("work_radius_mm") != std::string::npos);
-  nlohmann::json json = test::gallery_json("internal_grinding").at("process");
+  nlohmann::json json = test::Gallery("internal_grinding").json.at("process");
   json.erase("grain_protrusion_um");
   CHECK(test::refusal(json).find("grain_protrusion_um") != std::string::npos);
 }

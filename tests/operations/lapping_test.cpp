@@ -3,7 +3,7 @@
 #include "operations/kinds/lapping.h"
 
 #include "models/surface/k311_lapping_cycle.h"
-#include "tests/operations/process_example.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 namespace verstat::operations {
@@ -12,12 +12,11 @@ namespace {
 using test::limit_of;
 
 Lapping example() {
-  return test::gallery_spec<Lapping>("lapping");
+  return test::Gallery("lapping").spec<Lapping>();
 }
 
 TEST_CASE("lapping: the example is feasible and survives JSON") {
   CHECK(plan(example(), {}).feasible());
-  CHECK(test::survives_json("lapping"));
 }
 
 TEST_CASE("lapping: two stages by Preston's law") {
@@ -100,7 +99,7 @@ TEST_CASE("lapping: bad specifications name the place") {
   s = example();
   s.grains.reset();
   CHECK(test::refusal(s) == "roughness_ra_max_um = 0.04, needs grains, from which Ra follows");
-  nlohmann::json json = test::gallery_json("lapping").at("process");
+  nlohmann::json json = test::Gallery("lapping").json.at("process");
   json["grains"]["spacing_um"] = 0;
   CHECK(test::refusal(json).find("grains/spacing_um = 0") != std::string::npos);
 }

@@ -2,19 +2,19 @@
 
 #include <cmath>
 
-#include "tests/operations/cut_example.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 using namespace verstat;
 using namespace verstat::operations;
 using verstat::test::limit_of;
-using verstat::test::planning_error;
+using verstat::test::refusal;
 using verstat::test::value_of;
 
 namespace {
 
 RollMachining example() {
-  return *test::CutExample("roll_machining").process.as<RollMachining>();
+  return test::Gallery("roll_machining").spec<RollMachining>();
 }
 
 double part(double low, double high) {
@@ -24,8 +24,8 @@ double part(double low, double high) {
 }  // namespace
 
 TEST_CASE("roll machining: the worked example of K412") {
-  const test::CutExample gallery("roll_machining");
-  const CutPlan p = gallery.process.plan(gallery.context);
+  const test::Gallery gallery("roll_machining");
+  const CutPlan p = gallery.file.process.plan(gallery.context());
   CHECK(p.feasible());
   CHECK(value_of(p, "contour_length_mm") == Approx(286.53).margin(5e-3));
   CHECK(value_of(p, "max_diameter_mm") == Approx(233.30).margin(5e-3));
@@ -47,7 +47,6 @@ TEST_CASE("roll machining: the worked example of K412") {
   CHECK(value_of(p, "time_per_part_min") == Approx(value_of(p, "piece_time_min") + (3 * 40 + 20) / 10.0));
   REQUIRE(p.edge);
   CHECK(p.edge->mean_min == Approx(60));
-  test::check_round_trip(gallery.process);
 }
 
 TEST_CASE("roll machining: turning and grinding add up to the roll") {
@@ -140,8 +139,8 @@ TEST_CASE("roll machining: more points, less chord error") {
 TEST_CASE("roll machining: a blank below the roll is an error that names it") {
   RollMachining r = example();
   r.blank_diameter_mm = 230;
-  CHECK(planning_error(r).find("D_blank_mm = 230") != std::string::npos);
+  CHECK(refusal(r).find("D_blank_mm = 230") != std::string::npos);
   r = example();
   r.profile_points = 120;
-  CHECK(planning_error(r).find("n_points = 120") != std::string::npos);
+  CHECK(refusal(r).find("n_points = 120") != std::string::npos);
 }

@@ -5,32 +5,32 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
-#include "gallery_operation.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 using namespace verstat;
 using namespace verstat::operations;
 using verstat::test::margin_of;
-using verstat::test::number;
+using verstat::test::value_of;
 
 TEST_CASE("rolling generation: the vertex gouges below 90 degrees unless the slip is limited",
           "[rolling_generation]") {
-  const auto gallery = test::gallery_operation("rolling_generation");
+  const auto gallery = test::Gallery("rolling_generation");
   RollingGeneration spec = gallery.spec<RollingGeneration>();
   const CutPlan limited = plan(spec, gallery.context());
-  CHECK(number(limited, "gouge_mm") == Approx(0).margin(1e-9));
-  CHECK(number(limited, "mean_slip") < 1);
-  CHECK(number(limited, "mean_slip") > 0.9);
+  CHECK(value_of(limited, "gouge_mm") == Approx(0).margin(1e-9));
+  CHECK(value_of(limited, "mean_slip") < 1);
+  CHECK(value_of(limited, "mean_slip") > 0.9);
   CHECK(limited.feasible());
   spec.corner = CornerControl::plain;
   const CutPlan plain = plan(spec, gallery.context());
-  CHECK(number(plain, "gouge_mm") == Approx(0.779).margin(5e-4));
+  CHECK(value_of(plain, "gouge_mm") == Approx(0.779).margin(5e-4));
   CHECK_FALSE(plain.feasible());
 }
 
 TEST_CASE("rolling generation: steps trade facets, rotation and feed bound the time",
           "[rolling_generation]") {
-  const auto gallery = test::gallery_operation("rolling_generation");
+  const auto gallery = test::Gallery("rolling_generation");
   RollingGeneration spec = gallery.spec<RollingGeneration>();
   spec.opposite.reset();
   spec.corner = CornerControl::plain;
@@ -40,7 +40,7 @@ TEST_CASE("rolling generation: steps trade facets, rotation and feed bound the t
   double before_mm = 1;
   for (const std::int64_t steps : {10, 20, 40, 80}) {
     spec.steps = steps;
-    const double facet_mm = number(plan(spec, {}), "facet_mm");
+    const double facet_mm = value_of(plan(spec, {}), "facet_mm");
     // The longest step is an outermost one; on a circle of radius 30 its turn follows from the abscissas.
     const double width = 30.0 / static_cast<double>(steps);
     const auto angle = [](double z) { return std::asin((z - 25.980762113533157) / 30); };
@@ -50,17 +50,17 @@ TEST_CASE("rolling generation: steps trade facets, rotation and feed bound the t
     before_mm = facet_mm;
   }
   const CutPlan rolled = plan(spec, {});
-  CHECK(rolled.main_time_min == Approx(120 * number(rolled, "stroke_time_min")));
-  CHECK(number(rolled, "stroke_time_min") >= number(rolled, "profile_length_mm") / 200 * (1 - 1e-12));
+  CHECK(rolled.main_time_min == Approx(120 * value_of(rolled, "stroke_time_min")));
+  CHECK(value_of(rolled, "stroke_time_min") >= value_of(rolled, "profile_length_mm") / 200 * (1 - 1e-12));
   spec.max_rotation_rpm = 0.1;  // now the rotary axis is the slowest
   const CutPlan slow = plan(spec, {});
-  CHECK(number(slow, "stroke_time_min") == Approx(std::abs(number(slow, "rotation_deg")) / 360 / 0.1));
+  CHECK(value_of(slow, "stroke_time_min") == Approx(std::abs(value_of(slow, "rotation_deg")) / 360 / 0.1));
   spec.facet_max_mm = before_mm / 2;
   CHECK(margin_of(plan(spec, {}), "facet_mm") < 0);
 }
 
 TEST_CASE("rolling generation: slip spreads the wear along the edge", "[rolling_generation]") {
-  const auto gallery = test::gallery_operation("rolling_generation");
+  const auto gallery = test::Gallery("rolling_generation");
   const EdgeLife edge{};
   test::property([&] {
     RollingGeneration spec = gallery.spec<RollingGeneration>();
@@ -76,13 +76,13 @@ TEST_CASE("rolling generation: slip spreads the wear along the edge", "[rolling_
 }
 
 TEST_CASE("rolling generation: errors and limits name what is wrong", "[rolling_generation]") {
-  RollingGeneration spec = test::gallery_operation("rolling_generation").spec<RollingGeneration>();
+  RollingGeneration spec = test::Gallery("rolling_generation").spec<RollingGeneration>();
   spec.tool_angle_deg = 65;
   spec.z_start_mm = 0;
   spec.opposite.reset();
-  CHECK(test::plan_error(spec) == "corner = \"limited_slip\" needs the opposite side that limits it");
+  CHECK(test::refusal(spec) == "corner = \"limited_slip\" needs the opposite side that limits it");
   spec.corner = CornerControl::plain;
   CHECK(margin_of(plan(spec, {}), "tool_angle_deg") < 0);
   spec.steps = 7;
-  CHECK(test::plan_error(spec) == "steps = 7, must be even");
+  CHECK(test::refusal(spec) == "steps = 7, must be even");
 }

@@ -3,31 +3,31 @@
 #include <catch2/catch.hpp>
 #include <rapidcheck.h>
 
-#include "gallery_operation.h"
 #include "models/milling/k105_tslot_chip_reinteraction.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 using namespace verstat;
 using namespace verstat::operations;
 using verstat::test::margin_of;
-using verstat::test::number;
+using verstat::test::value_of;
 
 TEST_CASE("slot milling: a chip device keeps the tolerance at a feed that chips would spoil",
           "[slot_milling]") {
-  const auto gallery = test::gallery_operation("slot_milling");
+  const auto gallery = test::Gallery("slot_milling");
   SlotMilling spec = gallery.spec<SlotMilling>();
   const CutPlan device = plan(spec, gallery.context());
   CHECK(device.feasible());
-  CHECK(number(device, "added_share") == Approx(0.125));
+  CHECK(value_of(device, "added_share") == Approx(0.125));
   spec.evacuation = ChipEvacuation::none;
   const CutPlan none = plan(spec, gallery.context());
-  CHECK(number(none, "added_share") == Approx(0.25));
+  CHECK(value_of(none, "added_share") == Approx(0.25));
   CHECK(margin_of(none, "side_error_um") < 0);
-  CHECK(number(none, "side_error_um") / number(device, "side_error_um") == Approx(1.25 / 1.125));
+  CHECK(value_of(none, "side_error_um") / value_of(device, "side_error_um") == Approx(1.25 / 1.125));
   CHECK(none.main_time_min == device.main_time_min);
 
   // The force grows with f^(1-mc): without the device the feed must fall by this much.
-  const double fall = std::pow(37 / number(none, "side_error_um"), 1 / 0.75);
+  const double fall = std::pow(37 / value_of(none, "side_error_um"), 1 / 0.75);
   spec.table_feed_mm_min *= fall;
   const CutPlan slower = plan(spec, gallery.context());
   CHECK(margin_of(slower, "side_error_um") == Approx(0).margin(1e-12));
@@ -36,16 +36,16 @@ TEST_CASE("slot milling: a chip device keeps the tolerance at a feed that chips 
 }
 
 TEST_CASE("slot milling: plan numbers are those of K105", "[slot_milling]") {
-  const auto gallery = test::gallery_operation("slot_milling");
+  const auto gallery = test::Gallery("slot_milling");
   SlotMilling spec = gallery.spec<SlotMilling>();
   spec.evacuation = ChipEvacuation::none;
   spec.lateral_force_n = 400;
   const CutPlan p = plan(spec, gallery.context());
   CHECK(p.main_time_min == Approx(3 * (0.75 + 15.0 / 160)));
-  CHECK(number(p, "cutting_speed_m_min") == Approx(20.8).margin(0.05));
-  CHECK(number(p, "cutting_fraction") == Approx(0.306).margin(5e-4));
-  CHECK(number(p, "total_lateral_force_n") == Approx(500));
-  CHECK(number(p, "mean_recuts") == Approx(0.63 / 0.37));
+  CHECK(value_of(p, "cutting_speed_m_min") == Approx(20.8).margin(0.05));
+  CHECK(value_of(p, "cutting_fraction") == Approx(0.306).margin(5e-4));
+  CHECK(value_of(p, "total_lateral_force_n") == Approx(500));
+  CHECK(value_of(p, "mean_recuts") == Approx(0.63 / 0.37));
   models::k105::FormErrorInputs bending;
   bending.lateral_force_n = 400;
   bending.added_share = 0.25;
@@ -53,12 +53,12 @@ TEST_CASE("slot milling: plan numbers are those of K105", "[slot_milling]") {
   bending.stem_diameter_mm = 11;
   bending.cutter_diameter_mm = 21;
   bending.elastic_modulus_mpa = 210'000;
-  CHECK(number(p, "side_error_um") == models::k105::t_slot_form_error(bending).side_um);
-  CHECK(number(p, "face_error_um") == models::k105::t_slot_form_error(bending).face_um);
+  CHECK(value_of(p, "side_error_um") == models::k105::t_slot_form_error(bending).side_um);
+  CHECK(value_of(p, "face_error_um") == models::k105::t_slot_form_error(bending).face_um);
 }
 
 TEST_CASE("slot milling: better evacuation never bends the stem more", "[slot_milling]") {
-  const auto gallery = test::gallery_operation("slot_milling");
+  const auto gallery = test::Gallery("slot_milling");
   test::property([&] {
     SlotMilling spec = gallery.spec<SlotMilling>();
     spec.reinteraction_share = *rc::gen::inRange(0, 101) * 0.01;
@@ -72,10 +72,10 @@ TEST_CASE("slot milling: better evacuation never bends the stem more", "[slot_mi
 }
 
 TEST_CASE("slot milling: errors name what is wrong", "[slot_milling]") {
-  SlotMilling spec = test::gallery_operation("slot_milling").spec<SlotMilling>();
+  SlotMilling spec = test::Gallery("slot_milling").spec<SlotMilling>();
   spec.stem_diameter_mm = 12;
-  CHECK(test::plan_error(spec) ==
+  CHECK(test::refusal(spec) ==
         "stem_diameter_mm = 12, must be below the throat width: the stem runs in the throat");
   spec.throat_width_mm = 21;
-  CHECK(test::plan_error(spec) == "throat_width_mm = 21, must be below the cutter diameter");
+  CHECK(test::refusal(spec) == "throat_width_mm = 21, must be below the cutter diameter");
 }

@@ -2,7 +2,7 @@
 
 #include <numbers>
 
-#include "tests/operations/cut_example.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 using namespace verstat;
@@ -10,13 +10,13 @@ using namespace verstat::operations;
 using models::k112::Lathe;
 using models::k112::Operation;
 using verstat::test::limit_of;
-using verstat::test::planning_error;
+using verstat::test::refusal;
 using verstat::test::value_of;
 
 namespace {
 
 StoneTurning example() {
-  return *test::CutExample("stone_turning").process.as<StoneTurning>();
+  return test::Gallery("stone_turning").spec<StoneTurning>();
 }
 
 double part(double low, double high) {
@@ -26,14 +26,13 @@ double part(double low, double high) {
 }  // namespace
 
 TEST_CASE("stone turning: group 5 runs on the 1K62M only, and there at its smallest feed") {
-  const test::CutExample gallery("stone_turning");
-  const CutPlan p = gallery.process.plan(gallery.context);
+  const test::Gallery gallery("stone_turning");
+  const CutPlan p = gallery.file.process.plan(gallery.context());
   CHECK(p.feasible());
   CHECK(value_of(p, "long_feed_low_mm_rev") == 0.07);
   CHECK(value_of(p, "long_feed_high_mm_rev") == 0.07);
   CHECK(value_of(p, "passes") == 2);
   CHECK(p.main_time_min == Approx(2 * 105 / (0.07 * 15)));
-  test::check_round_trip(gallery.process);
 
   for (const Lathe lathe : {Lathe::k16b05p, Lathe::k16b16a}) {
     StoneTurning t = example();
@@ -126,8 +125,8 @@ TEST_CASE("stone turning: time falls with feed and speed, climb needs the faster
 TEST_CASE("stone turning: bad specifications are named") {
   StoneTurning t = example();
   t.allowance_per_side_mm = 60;
-  CHECK(planning_error(t) == "allowance_per_side_mm = 60, must be below half the diameter");
+  CHECK(refusal(t) == "allowance_per_side_mm = 60, must be below half the diameter");
   t = example();
   t.group = 6;
-  CHECK(planning_error(t).find("group = 6, allowed 1 <= group <= 5") != std::string::npos);
+  CHECK(refusal(t).find("group = 6, allowed 1 <= group <= 5") != std::string::npos);
 }

@@ -1,19 +1,19 @@
 #include "operations/kinds/thermo_friction.h"
 
-#include "tests/operations/cut_example.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 using namespace verstat;
 using namespace verstat::operations;
 using models::k305::Steel;
 using verstat::test::limit_of;
-using verstat::test::planning_error;
+using verstat::test::refusal;
 using verstat::test::value_of;
 
 namespace {
 
 ThermoFriction example() {
-  return *test::CutExample("thermo_friction").process.as<ThermoFriction>();
+  return test::Gallery("thermo_friction").spec<ThermoFriction>();
 }
 
 double part(double low, double high) {
@@ -23,8 +23,8 @@ double part(double low, double high) {
 }  // namespace
 
 TEST_CASE("thermo-friction: the example lies at a corner of the published regimes") {
-  const test::CutExample gallery("thermo_friction");
-  const CutPlan p = gallery.process.plan(gallery.context);
+  const test::Gallery gallery("thermo_friction");
+  const CutPlan p = gallery.file.process.plan(gallery.context());
   CHECK(p.feasible());
   CHECK(value_of(p, "in_envelope") == 1);
   CHECK(p.main_time_min == Approx(2 * 660 / 160.0));
@@ -32,7 +32,6 @@ TEST_CASE("thermo-friction: the example lies at a corner of the published regime
   CHECK(value_of(p, "feed_limit_mm_min") == Approx(160));
   CHECK(value_of(p, "removal_rate_mm3_min") == Approx(26'000));
   CHECK(value_of(p, "power_kw") == Approx(26'000 * 20 / 60'000.0));
-  test::check_round_trip(gallery.process);
 }
 
 TEST_CASE("thermo-friction: leaving the envelope on any side is a limit that is not met") {
@@ -101,7 +100,7 @@ TEST_CASE("thermo-friction: alloy steel is left under compression, steel 45 unde
   t.steel = Steel::steel_09kh15n8yu;
   CHECK(limit_of(plan(t, {}), "surface_stress_mpa").met());
   t.steel = Steel::steel_12kh13;
-  CHECK(planning_error(t) == "surface_stress_max_mpa = 0, is known for the steels 45 and 09Kh15N8Yu only");
+  CHECK(refusal(t) == "surface_stress_max_mpa = 0, is known for the steels 45 and 09Kh15N8Yu only");
 }
 
 TEST_CASE("thermo-friction: passes are rows times layers") {
@@ -122,8 +121,8 @@ TEST_CASE("thermo-friction: passes are rows times layers") {
 TEST_CASE("thermo-friction: bad specifications are named") {
   ThermoFriction t = example();
   t.overlap_mm = 70;
-  CHECK(planning_error(t).find("overlap_mm = 70") != std::string::npos);
+  CHECK(refusal(t).find("overlap_mm = 70") != std::string::npos);
   t = example();
   t.feed_mm_min = 0;
-  CHECK(planning_error(t).find("feed_mm_min = 0") != std::string::npos);
+  CHECK(refusal(t).find("feed_mm_min = 0") != std::string::npos);
 }

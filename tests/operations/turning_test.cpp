@@ -6,13 +6,13 @@
 #include "models/surface/k411_finish_turning_roughness.h"
 #include "models/thermal/k403_unsteady_cutting_temperature.h"
 #include "operations/taylor.h"
-#include "tests/operations/cut_example.h"
+#include "tests/operations/gallery.h"
 #include "tests/property.h"
 
 using namespace verstat;
 using namespace verstat::operations;
 using verstat::test::limit_of;
-using verstat::test::planning_error;
+using verstat::test::refusal;
 using verstat::test::value_of;
 
 namespace {
@@ -28,7 +28,7 @@ Turning plain() {
 }
 
 Turning finishing() {
-  return *test::CutExample("turning").process.as<Turning>();
+  return test::Gallery("turning").spec<Turning>();
 }
 
 double part(double low, double high) {
@@ -62,9 +62,9 @@ TEST_CASE("turning: Kienzle's force of a straight edge, by hand") {
 }
 
 TEST_CASE("turning: the example's numbers are those of the models") {
-  const test::CutExample example("turning");
-  const Turning& t = *example.process.as<Turning>();
-  const CutPlan p = example.process.plan(example.context);
+  const test::Gallery example("turning");
+  const Turning& t = *example.file.process.as<Turning>();
+  const CutPlan p = example.file.process.plan(example.context());
   CHECK(p.feasible());
   // Card K411: Ra 3.023 um at 0.33 mm/rev with a nose of 2 mm.
   CHECK(value_of(p, "roughness_ra_um") == Approx(3.023).margin(6e-4));
@@ -87,12 +87,11 @@ TEST_CASE("turning: the example's numbers are those of the models") {
   const auto theta = models::k403::cutting_temperature(cut);
   CHECK(value_of(p, "rake_temperature_c") == theta.rake_c);
   CHECK(value_of(p, "mean_temperature_c") == theta.mean_c);
-  CHECK(p.edge->mean_min == taylor_life(example.edge, t.cutting_speed_m_min, 0.33, 1).mean_min);
-  test::check_round_trip(example.process);
+  CHECK(p.edge->mean_min == taylor_life(*example.file.edge_life, t.cutting_speed_m_min, 0.33, 1).mean_min);
 }
 
 TEST_CASE("turning: each limit changes sign where its model says") {
-  const test::CutExample example("turning");
+  const test::Gallery example("turning");
   Turning t = finishing();
 
   SECTION("roughness: at the largest feed for Ra of K411") {
@@ -100,10 +99,10 @@ TEST_CASE("turning: each limit changes sign where its model says") {
         models::k411::max_feed_for_ra({models::k411::FeedBounds{{2, 45, 45}, 0.05, 0.55}, 3.2}).feed_mm_rev;
     CHECK(feed_mm_rev == Approx(0.3456).margin(6e-5));
     t.feed_mm_rev = feed_mm_rev * 0.999;
-    CHECK(limit_of(plan(t, example.context), "roughness_ra_um").margin() > 0);
+    CHECK(limit_of(plan(t, example.context()), "roughness_ra_um").margin() > 0);
     t.feed_mm_rev = feed_mm_rev * 1.001;
-    CHECK(limit_of(plan(t, example.context), "roughness_ra_um").margin() < 0);
-    CHECK_FALSE(plan(t, example.context).feasible());
+    CHECK(limit_of(plan(t, example.context()), "roughness_ra_um").margin() < 0);
+    CHECK_FALSE(plan(t, example.context()).feasible());
   }
   SECTION("temperature: at the speed for the limit of K403") {
     t.temperature_max_c = 900;
@@ -124,7 +123,7 @@ TEST_CASE("turning: each limit changes sign where its model says") {
     CHECK_FALSE(limit_of(plan(t, {}), "mean_temperature_c").met());
   }
   SECTION("power and force: at the load they allow") {
-    const CutPlan p = plan(t, example.context);
+    const CutPlan p = plan(t, example.context());
     const double force_n = value_of(p, "cutting_force_n");
     const double power_kw = value_of(p, "power_kw");
     MachineLimits machine;
@@ -185,11 +184,11 @@ TEST_CASE("turning: force, power and temperature rise with feed, depth and speed
 TEST_CASE("turning: a limit on something unknown is an error that names it") {
   Turning t = plain();
   t.roughness_max_um = 3.2;
-  CHECK(planning_error(t) == "roughness_max_um = 3.2, needs the member \"insert\"");
+  CHECK(refusal(t) == "roughness_max_um = 3.2, needs the member \"insert\"");
   t = plain();
   t.temperature_max_c = 900;
-  CHECK(planning_error(t) == "temperature_max_c = 900, needs the member \"heat\"");
+  CHECK(refusal(t) == "temperature_max_c = 900, needs the member \"heat\"");
   t = plain();
   t.feed_mm_rev = 0;
-  CHECK(planning_error(t).find("feed") != std::string::npos);
+  CHECK(refusal(t).find("feed") != std::string::npos);
 }

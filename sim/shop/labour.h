@@ -1,0 +1,114 @@
+#pragma once
+// The people of the shop: crews answer calls by name or by skill, the most urgent call first.
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "scenarios/calendar.h"
+#include "scenarios/scenario.h"
+#include "sim/kernel/event.h"
+#include "sim/kernel/simulation.h"
+#include "sim/shop/costs.h"
+
+namespace verstat::shop {
+
+class Labour;
+
+/// A member of a crew at work. Gives the member back when it goes out of scope.
+class [[nodiscard]] CrewHold {
+ public:
+  CrewHold() = default;
+  CrewHold(CrewHold&& other) noexcept { *this = std::move(other); }
+  CrewHold& operator=(CrewHold&& other) noexcept;
+  ~CrewHold() { release(); }
+  void release() noexcept;
+  [[nodiscard]] explicit operator bool() const noexcept { return labour_ != nullptr; }
+  /// Index of the crew; only while something is held.
+  [[nodiscard]] std::size_t crew() const;
+  /// Minutes that the member walks to get there.
+  [[nodiscard]] double walking_min() const;
+
+ private:
+  friend class Labour;
+  Labour* labour_ = nullptr;
+  std::size_t job_ = 0;
+};
+
+/// Calls are served in order of (priority, time of the call): the first whose crew has a free member goes
+/// first. A member who tends machines (`machines_per_member` > 1) has that many hands; attending a machine
+/// takes one, everything else takes all of them. Who works when the shift ends finishes the job.
+class Labour {
+ public:
+  /// Wages of crews that are paid for the minutes worked are booked in `costs`.
+  Labour(const scenarios::Scenario& scenario, sim::Simulation& sim, Costs& costs);
+  Labour(const Labour&) = delete;
+  Labour& operator=(const Labour&) = delete;
+
+  enum class Hands { all, one };
+  /// Crews that answer to the name of a crew or of a skill, in the order of the scenario.
+  [[nodiscard]] std::vector<std::size_t> crews_for(const std::string& crew_or_skill) const;
+
+  /// `auto hold = co_await labour.call(...)`; the wage is booked under `heading`. `crews` must outlive the
+  /// call.
+  [[nodiscard]] sim::Task<CrewHold> call(const std::vector<std::size_t>& crews, std::int64_t priority,
+                                         Cost heading, Hands hands = Hands::all);
+
+  /// Nobody is served any more: processes are ended in any order, and holds among them go out of scope.
+  void close() noexcept { closed_ = true; }
+  /// Starts the processes that open and close shifts.
+  void start();
+  void reset_counts(double now_min);
+  /// Books the work under way up to now.
+  void settle(double now_min);
+  /// Member-minutes of work since the last reset.
+  [[nodiscard]] double busy_min(std::size_t crew) const { return crews_[crew].busy_min; }
+  /// Member-minutes of presence from `from_min` to `to_min`.
+  [[nodiscard]] double present_min(std::size_t crew, double from_min, double to_min) const;
+
+ private:
+  friend class CrewHold;
+  struct Crew {
+    const scenarios::Crew* spec = nullptr;
+    std::optional<scenarios::WorkingTime> working_time;
+    std::int64_t hands = 0;  // there are, on shift
+    std::int64_t hands_in_use = 0;
+    double busy_min = 0;
+  };
+  struct Call {
+    Call(sim::Simulation& sim, const std::vector<std::size_t>& asked, std::int64_t urgency, Cost cost,
+         Hands h)
+        : crews(&asked), priority(urgency), heading(cost), hands(h), granted(sim) {}
+    const std::vector<std::size_t>* crews;
+    std::int64_t priority;
+    Cost heading;
+    Hands hands;
+    sim::Event<std::size_t> granted;  // number of the job
+  };
+  struct Job {
+    std::size_t crew = 0;
+    std::int64_t hands = 0;
+    Cost heading = Cost::labour;
+    double since_min = 0;
+    bool active = false;
+  };
+  [[nodiscard]] sim::Task<void> shifts(std::size_t crew);
+  [[nodiscard]] std::int64_t hands_needed(std::size_t crew, Hands hands) const;
+  [[nodiscard]] std::optional<std::size_t> free_crew(const Call& call) const;
+  [[nodiscard]] std::size_t begin(std::size_t crew, const Call& call);
+  void book(Job& job, double now_min);
+  void finish(std::size_t job) noexcept;
+  void serve();
+
+  sim::Simulation* sim_;
+  Costs* costs_;
+  bool closed_ = false;
+  std::vector<Crew> crews_;
+  std::vector<Job> jobs_;
+  std::vector<std::size_t> free_jobs_;
+  std::deque<Call*> waiting_;  // by priority, then by time of the call
+};
+
+}  // namespace verstat::shop

@@ -1,0 +1,73 @@
+// Hidden defects, inspections, rework.
+#include "tests/shop/small_shop.h"
+
+using namespace verstat::test;
+
+namespace {
+json inspected(const json& inspection) {
+  json shop = small_shop(always(), constant(1));
+  shop["operations"][0]["quality"] = {{"defect_probability", 0.1}};
+  shop["machines"].push_back({{"name", "desk"}});
+  shop["operations"].push_back({{"name", "look"},
+                                {"machine", "desk"},
+                                {"process", duration_process(constant(0.5))},
+                                {"inspection", inspection},
+                                {"cost", 3}});
+  shop["parts"][0]["route"] = {"o", "look"};
+  shop["parts"][0]["value"] = 50;
+  shop["parts"][0]["escape_cost"] = 400;
+  return shop;
+}
+}  // namespace
+
+TEST_CASE("an inspection lets defects through and rejects good parts as stated", "[shop][quality]") {
+  const json shop = inspected({{"sensitivity", 0.8}, {"specificity", 0.95}});
+  const auto result = run(shop);
+  const double rejected = 0.1 * 0.8 + 0.9 * 0.05;
+  check_truth(result, "quality_ratio", 1 - rejected, 0.01);
+  check_truth(result, "part/p/escape_ratio", 0.02 / (1 - rejected), 0.1);
+  check_truth(result, "cost/escapes", 0.02 * 400, 0.1);
+  check_truth(result, "cost/scrap", rejected * 50, 0.1);
+  CHECK(mean(result, "cost/operations") == Approx(3).epsilon(1e-3));
+  check_audit(shop);
+}
+
+TEST_CASE("sampling looks at a share of the parts", "[shop][quality]") {
+  const auto result = run(inspected({{"share", 0.25}}));
+  check_truth(result, "quality_ratio", 1 - 0.025, 0.01);
+  check_truth(result, "part/p/escape_ratio", 0.075 / 0.975, 0.1);
+}
+
+TEST_CASE("a lot with more rejects than allowed is rejected as a whole", "[shop][quality]") {
+  json shop = inspected({{"acceptance_number", 1}});
+  shop["parts"][0]["batch_size"] = 10;
+  // P(at most one of ten defective) = 0.9^10 + 10 x 0.1 x 0.9^9
+  check_truth(run(shop), "quality_ratio", std::pow(0.9, 10) + std::pow(0.9, 9), 0.02);
+  check_audit(shop);
+}
+
+TEST_CASE("rework sends rejected parts back, so often and no more", "[shop][quality]") {
+  json shop = inspected(json::object());
+  shop["parts"][0].erase("route");
+  shop["parts"][0]["steps"] = {
+      {{"name", "make"}, {"operation", "o"}},
+      {{"name", "check"}, {"operation", "look"}, {"rework", "make"}, {"rework_limit", 2}}};
+  shop["parts"][0]["release"] = {{"kind", "conwip"}, {"cap", 3}};
+  // Scrapped after three defects in a row.
+  const auto result = run(shop);
+  check_truth(result, "quality_ratio", 1 - 1e-3, 0.001);
+  check_truth(result, "part/p/rework_ratio", 0.1 + 0.01, 0.05);
+  check_audit(shop);
+}
+
+TEST_CASE("defects grow with the wear of the edge", "[shop][quality]") {
+  json shop = scenarios_of("heavy-lathe");
+  shop["operations"][0]["quality"] = {{"defect_when_worn", 0.2}};
+  shop["parts"][0]["escape_cost"] = 100;
+  shop["simulation"]["replications"] = 4;
+  const auto worn = run(shop);
+  CHECK(mean(worn, "part/shaft/escape_ratio") > 0.01);
+  // Changed earlier, fewer escape.
+  shop["tools"][0]["strategy"]["gamma"] = 0.95;
+  CHECK(mean(run(shop), "part/shaft/escape_ratio") < 0.7 * mean(worn, "part/shaft/escape_ratio"));
+}

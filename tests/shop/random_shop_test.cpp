@@ -1,0 +1,197 @@
+// Thousands of random shops: whatever the scenario, parts, time and money are conserved, and what does not
+// matter changes nothing.
+#include "tests/property.h"
+#include "tests/shop/small_shop.h"
+
+using namespace verstat;
+using namespace verstat::test;
+
+namespace {
+
+int pick(int low, int high) {
+  return *rc::gen::inRange(low, high + 1);
+}
+bool chance(int percent) {
+  return pick(1, 100) <= percent;
+}
+// Times never fall on the same instant: no ties, no order of lists that could matter.
+json time_law(double mean_min) {
+  switch (pick(0, 2)) {
+    case 0:
+      return exponential(mean_min);
+    case 1:
+      return {{"kind", "lognormal"}, {"mean_min", mean_min}, {"cv", 0.3}};
+    default:
+      return {{"kind", "uniform"}, {"low_min", 0.5 * mean_min}, {"high_min", 1.5 * mean_min}};
+  }
+}
+
+json random_machine(int k) {
+  json machine = {{"name", "m" + std::to_string(k)}, {"count", pick(1, 2)}, {"rate_per_min", pick(0, 3)}};
+  if (chance(30)) machine["queue_capacity"] = pick(0, 3);
+  if (chance(30)) machine["loading"] = time_law(0.5);
+  if (chance(20)) machine["unloading"] = time_law(0.5);
+  if (chance(30))
+    machine["dispatch"] =
+        *rc::gen::element<std::string>("spt", "edd", "critical_ratio", "least_setup", "priority");
+  if (chance(30)) machine["setup"] = {{"time", time_law(2)}, {"crew", chance(50) ? "c0" : ""}, {"cost", 1}};
+  if (chance(30)) machine["attendance"] = {{"crew", "skill"}, {"during", chance(50) ? "always" : "loading"}};
+  if (chance(40)) {
+    machine["failures"] = {{{"name", "f"},
+                            {"clock", *rc::gen::element<std::string>("calendar", "operating", "parts")},
+                            {"time_to_failure", time_law(60)},
+                            {"repair", time_law(10)},
+                            {"effect", *rc::gen::element<std::string>("at_once", "after_part", "when_idle")},
+                            {"scrap_probability", 0.3},
+                            {"damage", 5}}};
+    if (chance(50)) machine["failures"][0]["crew"] = "skill";
+    if (chance(30)) machine["failures"][0]["spare"] = "belt";
+    if (chance(50))
+      machine["maintenance"] = {{{"name", "pm"},
+                                 {"clock", "operating"},
+                                 {"interval", 47.3},
+                                 {"duration", time_law(4)},
+                                 {"renews", {"f"}},
+                                 {"joins_from", 0.7}}};
+  }
+  if (chance(20)) {
+    machine["calendar"] = "day";
+    machine["part_at_shift_end"] = chance(50) ? "pause" : "finish";
+    machine["repair_at_shift_end"] = chance(50) ? "pause" : "finish";
+  }
+  if (chance(20)) machine["switch_off"] = {{"after_idle_min", 5}, {"warm_up", time_law(1)}};
+  machine["power"] = {{"working_kw", 5}, {"standby_kw", 1}};
+  return machine;
+}
+
+json random_shop() {
+  json shop = {
+      {"name", "random"},
+      {"simulation",
+       {{"horizon_min", 2'000},
+        {"warmup_min", 300},
+        {"replications", 1},
+        {"allow_overload", true},
+        {"seed", std::to_string(pick(1, 1'000'000))}}},
+      {"crews",
+       {{{"name", "c0"},
+         {"rate_per_min", 1},
+         {"members", pick(1, 2)},
+         {"skills", {"skill"}},
+         {"walking_min", 0.3}},
+        {{"name", "c1"},
+         {"rate_per_min", 2},
+         {"pay", "shift"},
+         {"skills", {"skill"}},
+         {"machines_per_member", 2}}}},
+      {"calendars",
+       {{{"name", "day"}, {"shifts", {{{"days", {"monday", "tuesday"}}, {"from_h", 3.1}, {"to_h", 19.7}}}}}}},
+      {"spares", {{{"name", "belt"}, {"price", 3}, {"lead_time", time_law(30)}}}},
+      {"energy_price_per_kwh", 0.2},
+      {"stores", {{{"name", "out"}}, {{"name", "middle"}}}}};
+  if (chance(30)) shop["crews"][1]["calendar"] = "day";
+  const int machines = pick(1, 4);
+  for (int k = 0; k < machines; ++k) shop["machines"].push_back(random_machine(k));
+  const int operations = pick(machines, machines + 3);
+  for (int k = 0; k < operations; ++k) {
+    json operation = {{"name", "o" + std::to_string(k)},
+                      {"process", duration_process(time_law(pick(1, 5)))},
+                      {"cost", pick(0, 2)}};
+    if (k < machines || chance(60))
+      operation["machine"] = "m" + std::to_string(k % machines);
+    else
+      operation["machines"] = {"m0", "m" + std::to_string(machines - 1)};
+    if (operation.contains("machines") && machines == 1) {
+      operation.erase("machines");
+      operation["machine"] = "m0";
+    }
+    if (chance(40)) operation["quality"] = {{"scrap_probability", 0.05}, {"defect_probability", 0.1}};
+    if (chance(25)) operation["inspection"] = {{"share", 0.8}, {"sensitivity", 0.9}, {"specificity", 0.95}};
+    if (chance(30)) operation["family"] = "x";
+    shop["operations"].push_back(operation);
+  }
+  const int parts = pick(1, 3);
+  for (int p = 0; p < parts; ++p) {
+    json part = {{"name", "p" + std::to_string(p)},
+                 {"store", p == 0 ? "middle" : "out"},
+                 {"value", 10},
+                 {"batch_size", pick(1, 3)},
+                 {"priority", pick(0, 2)},
+                 {"escape_cost", 5},
+                 {"tardiness_cost_per_min", 0.01}};
+    if (chance(70))
+      part["supply"] = arrivals(time_law(pick(4, 30)));
+    else
+      part["supply"] = always();
+    if (chance(40)) part["release"] = {{"kind", "conwip"}, {"cap", pick(1, 6)}};
+    if (chance(50)) part["due_after"] = time_law(40);
+    const int steps = pick(1, 4);
+    for (int k = 0; k < steps; ++k) {
+      json step = {{"name", "s" + std::to_string(k)},
+                   {"operation", "o" + std::to_string(pick(0, operations - 1))}};
+      if (chance(25) && k + 1 < steps)
+        step["next"] = {{{"to", "s" + std::to_string(k + 1)}, {"probability", 0.7}},
+                        {{"to", ""}, {"probability", 0.3}}};
+      if (chance(30)) step["rework"] = "s0";
+      if (p == 1 && k == steps - 1 && chance(50)) step["assembles"] = {{{"part", "p0"}, {"count", 2}}};
+      part["steps"].push_back(step);
+    }
+    shop["parts"].push_back(part);
+  }
+  if (chance(30))
+    shop["transport"] = {{{"name", "belt"},
+                          {"from", "m0"},
+                          {"carrier", {{"kind", "conveyor"}, {"capacity", 2}, {"time_min", 1.37}}}},
+                         {{"name", "cart"}, {"carrier", {{"kind", "delay"}, {"time", time_law(2)}}}}};
+  // Machines nobody uses would be refused.
+  for (int k = 0; k < machines; ++k)
+    shop["operations"].push_back({{"name", "spare" + std::to_string(k)},
+                                  {"machine", "m" + std::to_string(k)},
+                                  {"process", duration_process(constant(1))}});
+  return shop;
+}
+
+}  // namespace
+
+TEST_CASE("random shops conserve parts, time and money", "[shop][random]") {
+  int run_shops = 0;
+  // A property is tried a hundred times, each with twenty shops.
+  property("conservation", [&] {
+    for (int twenty = 0; twenty < 20; ++twenty) {
+      const json text = random_shop();
+      const scenarios::Scenario scenario = scenarios::load(text);
+      shop::Shop one(scenario, 0);
+      const auto values = one.run();
+      for (const std::string& broken : one.audit()) RC_FAIL(broken);
+      const auto infos = shop::kpi_infos(scenario);
+      double sum = 0;
+      std::optional<double> whole;
+      for (std::size_t k = 0; k < infos.size(); ++k) {
+        if (infos[k].name == "cost_per_part") whole = values[k];
+        if (infos[k].name.starts_with("cost/") && values[k]) sum += *values[k];
+      }
+      if (whole) RC_ASSERT(std::abs(sum - *whole) <= 1e-12 * std::abs(*whole));
+      ++run_shops;
+    }
+  });
+  CHECK(run_shops == 2000);
+}
+
+TEST_CASE("the order of lists changes nothing", "[shop][random]") {
+  property("reordering", [] {
+    json text = random_shop();
+    const auto result = run(text);
+    // Crews are asked in the order of their list: that order means something.
+    for (const char* list : {"machines", "stores", "operations", "calendars", "spares"})
+      std::reverse(text[list].begin(), text[list].end());
+    const auto again = run(text);
+    for (std::size_t k = 0; k < result.kpis.size(); ++k) {
+      const auto other = again.index_of(result.kpis[k].name);
+      RC_ASSERT(other.has_value());
+      const auto a = result.values[0][k];
+      const auto b = again.values[0][*other];
+      RC_ASSERT(a.has_value() == b.has_value());
+      if (a && std::abs(*a - *b) > 1e-9 * std::max(1.0, std::abs(*a))) RC_FAIL(result.kpis[k].name);
+    }
+  });
+}
