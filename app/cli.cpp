@@ -29,14 +29,21 @@ void add_json(CLI::App& command, CommonOptions& options) {
 void add_db(CLI::App& command, CommonOptions& options) {
   command.add_option("--db", options.db, "results database (SQLite)")->capture_default_str();
 }
-void add_run_options(CLI::App& command, CommonOptions& options) {
-  command.add_option("--seed", options.seed, "seed of all random streams, 0 to 18446744073709551615");
-  command.add_option("--replications", options.replications, "independent repetitions, 1 to 100000");
-  command.add_option("--threads", options.threads, "threads to use (results do not depend on it)");
+void add_changes(CLI::App& command, CommonOptions& options) {
   command
       .add_option("--set", options.set,
                   "change one value: POINTER=VALUE, for instance /machines/0/count=3; may be repeated")
       ->allow_extra_args(false);
+  command
+      .add_option("--changes", options.changes,
+                  "make the changes of this file, as verstat fit --out writes it; may be repeated")
+      ->allow_extra_args(false);
+}
+void add_run_options(CLI::App& command, CommonOptions& options) {
+  command.add_option("--seed", options.seed, "seed of all random streams, 0 to 18446744073709551615");
+  command.add_option("--replications", options.replications, "independent repetitions, 1 to 100000");
+  command.add_option("--threads", options.threads, "threads to use (results do not depend on it)");
+  add_changes(command, options);
 }
 
 namespace {
@@ -52,6 +59,29 @@ Number whole(const std::string& flag, const std::string& text, Number low, Numbe
   return value;
 }
 
+// [{"pointer", "value"}, ...], or an object that holds such a list under "changes".
+std::vector<Change> changes_in(const std::string& file) {
+  const auto refuse = [&](const std::string& text) {
+    throw UsageError(fmt::format("--changes {}: {}", file, text));
+  };
+  nlohmann::json j;
+  try {
+    j = scenarios::parse_json(scenarios::read_text_file(file));
+  } catch (const InputError& e) {
+    refuse(e.what());
+  }
+  const nlohmann::json& list = j.is_object() && j.contains("changes") ? j["changes"] : j;
+  if (!list.is_array()) refuse("must hold a list of {\"pointer\": ..., \"value\": ...}");
+  std::vector<Change> changes;
+  for (const nlohmann::json& one : list) {
+    if (!one.is_object() || one.size() != 2 || !one.contains("value") || !one.contains("pointer") ||
+        !one["pointer"].is_string())
+      refuse(fmt::format("change {} must be {{\"pointer\": ..., \"value\": ...}}", changes.size()));
+    changes.push_back({one["pointer"].get<std::string>(), one["value"]});
+  }
+  return changes;
+}
+
 }  // namespace
 
 int thread_count(const CommonOptions& options) {
@@ -61,6 +91,8 @@ int thread_count(const CommonOptions& options) {
 
 std::vector<Change> changes_of(const CommonOptions& options) {
   std::vector<Change> changes;
+  for (const std::string& file : options.changes)
+    for (Change& change : changes_in(file)) changes.push_back(std::move(change));
   for (const std::string& text : options.set) changes.push_back(scenarios::parse_change(text));
   const auto setting = [&](const char* member, nlohmann::json value) {
     changes.push_back({fmt::format("/simulation/{}", member), std::move(value)});
@@ -145,6 +177,8 @@ int run_program(int argc, char** argv) {
   add_plan(program);
   add_models(program);
   add_runs(program);
+  add_fit(program);
+  add_calibrate(program);
   add_serve(program);
   add_schema(program);
   add_trace(program);

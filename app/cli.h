@@ -36,16 +36,19 @@ struct CommonOptions {
   std::string replications;
   std::string threads;
   std::vector<std::string> set;
+  std::vector<std::string> changes;  ///< files
 };
 void add_json(CLI::App& command, CommonOptions& options);
 void add_db(CLI::App& command, CommonOptions& options);
-/// --seed, --replications, --threads, --set
+/// --set, --changes
+void add_changes(CLI::App& command, CommonOptions& options);
+/// --seed, --replications, --threads, --set, --changes
 void add_run_options(CLI::App& command, CommonOptions& options);
 
 /// Threads to use: --threads, else as many as the machine has. Throws UsageError.
 [[nodiscard]] int thread_count(const CommonOptions& options);
-/// The changes of --set, then --seed and --replications as changes of the simulation settings. Throws
-/// InputError.
+/// The changes of --changes files, of --set, then --seed and --replications as changes of the simulation
+/// settings. Throws InputError.
 [[nodiscard]] std::vector<scenarios::Change> changes_of(const CommonOptions& options);
 [[nodiscard]] std::string changes_text(const std::vector<scenarios::Change>& changes);
 
@@ -76,6 +79,8 @@ void add_runs(CLI::App& program);
 void add_schema(CLI::App& program);
 void add_plan(CLI::App& program);
 void add_serve(CLI::App& program);
+void add_fit(CLI::App& program);
+void add_calibrate(CLI::App& program);
 void add_trace(CLI::App& program);
 void add_graph(CLI::App& program);
 
