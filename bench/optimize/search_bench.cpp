@@ -112,8 +112,8 @@ void joint_optimum_of_one_operation(benchmark::State& state) {
 }
 BENCHMARK(joint_optimum_of_one_operation)->Unit(benchmark::kMillisecond);
 
-// Six operations of the heavy lathe on six machine groups, each with its own tool: speed and reliability level of
-// each, edges of four inserts. The slowest sets the pace of all. The promise: under 2 s.
+// Six operations of the heavy lathe on six machine groups, each with its own tool: speed and reliability
+// level of each, edges of four inserts. The slowest sets the pace of all. The promise: under 2 s.
 struct Shop {
   json scenario;
   json study;
