@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <ctime>
+#include <filesystem>
 #include <thread>
 
 #include <fmt/chrono.h>
@@ -13,6 +14,7 @@
 #include <unistd.h>
 
 #include "app/version.h"
+#include "fit/order_file.h"
 #include "models/catalogue/closest.h"
 #include "models/catalogue/error.h"
 #include "optimize/ledger.h"
@@ -113,7 +115,8 @@ std::string changes_text(const std::vector<Change>& changes) {
 LoadedScenario load_scenario(const std::string& file, const std::vector<Change>& changes) {
   LoadedScenario loaded;
   try {
-    loaded.text = scenarios::read_text_file(file);
+    loaded.text =
+        fit::with_order_files(scenarios::read_text_file(file), std::filesystem::path(file).parent_path());
     loaded.json = scenarios::parse_json(loaded.text);
     // --seed works on a scenario without settings, too.
     if (loaded.json.is_object() && !loaded.json.contains("simulation"))

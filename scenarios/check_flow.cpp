@@ -29,6 +29,11 @@ void check_supply(const PartType& part, const std::string& at) {
     if (!(expected > 1e-9)) fail(at + "/rates", "no arrivals in the whole week", "one rate must be positive");
   }
   if (const auto* list = std::get_if<OrderList>(&part.supply)) {
+    if (!list->file.empty())
+      fail(at + "/file", quoted(list->file),
+           list->orders.empty() ? "can only be read where the scenario is a file of its own"
+                                : "give orders or a file, not both");
+    if (list->orders.empty()) fail(at + "/orders", "no entries", "must have at least one order");
     for (std::size_t k = 0; k < list->orders.size(); ++k) {
       const Order& order = list->orders[k];
       if (k > 0 && order.arrives_min < list->orders[k - 1].arrives_min)

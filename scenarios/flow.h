@@ -78,6 +78,7 @@ struct Order {
 struct OrderList {
   static constexpr const char* kind = "orders";
   std::vector<Order> orders;
+  std::string file;  ///< a CSV table beside the scenario, read in before the scenario is loaded
 };
 using Supply = std::variant<AlwaysAvailable, Interarrival, WeeklyProfile, OrderList>;
 

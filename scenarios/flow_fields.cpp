@@ -77,7 +77,11 @@ std::vector<Field> StructFields<Order>::fields() {
           may<Order>(&Order::due_min, "due_min", "min", minutes, "when they are due; null: see due_after")};
 }
 std::vector<Field> StructFields<OrderList>::fields() {
-  return {entries(need<OrderList>(&OrderList::orders, "orders", "-", no_range(), "orders"), 1, 1'000'000)};
+  return {
+      entries(may<OrderList>(&OrderList::orders, "orders", "-", no_range(), "orders"), 0, 1'000'000),
+      may<OrderList>(
+          &OrderList::file, "file", "-", no_range(),
+          "instead of orders: a CSV table beside the scenario with columns arrives, quantity, due, part")};
 }
 
 std::vector<Field> StructFields<Push>::fields() {
