@@ -15,6 +15,7 @@ import { roundKeepingSum } from '../logic/shares';
 import { annotationEditor, changeList, command, downloadButton, section, type PageContext, type PageMaker } from '../page';
 import type { Job, Kpi, Run } from '../types';
 import { jobPanel } from '../ui/job';
+import { consumptionSection, flowSection, groupingSection, leadTimeSection, lossSection, oeeFormulas, sankeySection, unattendedSection } from './runParts';
 
 function tile(id: string, label: string, kpi: Kpi | undefined, unit: string, scale: number, below: Child): HTMLElement | null {
   if (!kpi) return null;
@@ -138,17 +139,18 @@ function oeeSection(context: PageContext, run: Run): HTMLElement | null {
     table<OeeRow>('OEE', [
       { head: t('col.name'), rowHead: true, cell: (r) => r.name },
       ...oeeFactors(),
-      { head: 'OEE', unit: '%', number: true, cell: (r) => h('span', { title: 'OEE = availability · effectiveness · quality ratio (ISO 22400-2)' }, fixed(100 * r.oee, 1)), raw: (r) => 100 * r.oee },
+      { head: 'OEE', unit: '%', number: true, cell: (r) => h('span', { title: t('oee.formula.oee') }, fixed(100 * r.oee, 1)), raw: (r) => 100 * r.oee },
       ...parts.slice(1).map(([name, f]) => ({ head: name, unit: '%', number: true, cell: (r: OeeRow) => fixed(100 * f(r), 1), raw: (r: OeeRow) => 100 * f(r) })),
     ], rows),
+    oeeFormulas(),
   );
 }
 function oeeFactors() {
   return (['availability', 'effectiveness', 'quality'] as const).map((factor) => ({
-    head: t(`oee.factor.${factor}`),
+    head: h('span', { title: t(`oee.formula.${factor}`) }, t(`oee.factor.${factor}`)),
     unit: '%',
     number: true,
-    cell: (r: OeeRow) => h('span', { title: r.kpis[factor]?.meaning ?? '' }, fixed(100 * r[factor], 1)),
+    cell: (r: OeeRow) => h('span', { title: t(`oee.formula.${factor}`) }, fixed(100 * r[factor], 1)),
     raw: (r: OeeRow) => 100 * r[factor],
   }));
 }
@@ -260,9 +262,15 @@ export const runPage: PageMaker = async (context, [id = '']) => {
       annotationEditor('runs', run.id, run, version.read_only),
       tiles(run),
       h('div', { class: 'columns' }, timeSection(context, run), toolSection(run)),
+      flowSection(run),
       costSection(context, run),
+      lossSection(context, run, version.read_only),
       oeeSection(context, run),
-      entityKinds(run.kpis).filter((kind) => kind !== 'tool' && kind !== 'machine' && kind !== 'cost').map((kind) => entitySection(run, kind, named('entity', kind))),
+      groupingSection(context, run),
+      leadTimeSection(context, run),
+      sankeySection(context, run),
+      h('div', { class: 'columns even' }, consumptionSection(context, run), unattendedSection(run)),
+      entityKinds(run.kpis).filter((kind) => kind !== 'tool' && kind !== 'machine' && kind !== 'cost' && kind !== 'insert').map((kind) => entitySection(run, kind, named('entity', kind))),
       allSection(run),
     ),
   };

@@ -106,8 +106,8 @@ function gantt(context: PageContext, trace: Trace, name: string): DocumentFragme
     shares.replaceChildren(
       table<TraceRow>(t('trace.shares'), [
         { head: t('col.name'), rowHead: true, cell: (r) => r.name },
-        ...trace.states.map((state) => ({ head: fragment(swatch(colour(state)), named('state', state)), unit: '%', number: true, cell: (r: TraceRow) => fixed(100 * (stateShares(r, from, to).get(state) ?? 0), 1), raw: (r: TraceRow) => 100 * (stateShares(r, from, to).get(state) ?? 0) })),
-      ], trace.rows),
+        ...trace.states.filter((state) => !state.startsWith('edge_')).map((state) => ({ head: fragment(swatch(colour(state)), named('state', state)), unit: '%', number: true, cell: (r: TraceRow) => fixed(100 * (stateShares(r, from, to).get(state) ?? 0), 1), raw: (r: TraceRow) => 100 * (stateShares(r, from, to).get(state) ?? 0) })),
+      ], trace.rows.filter((r) => !r.tool)),
     );
   };
   const show = (a: number, b: number) => {
@@ -156,6 +156,7 @@ function gantt(context: PageContext, trace: Trace, name: string): DocumentFragme
     ),
     section(t('trace.shares'), '%', shares),
     queueSection(context, trace),
+    wipSection(context, trace),
   );
 }
 
@@ -166,6 +167,16 @@ function queueSection(context: PageContext, trace: Trace): HTMLElement | null {
   const picture = chart({ ...context, whenShown: (d) => drawers.push(d) }, t('trace.queues'), 'large', (theme) => queueOption(trace.queues, trace.end, theme), { name: t('trace.queues'), data: () => [['machine', 'min', 'waiting'], ...trace.queues.flatMap((q) => q.points.map(([time, n]) => [q.name, time, n]))] });
   requestAnimationFrame(() => drawers.forEach((d) => d()));
   return section(t('trace.queues'), '', picture.element);
+}
+
+/** How many parts are in the shop. */
+function wipSection(context: PageContext, trace: Trace): HTMLElement | null {
+  if (trace.wip.length === 0) return null;
+  const drawers: (() => void)[] = [];
+  const end = trace.wip.at(-1)?.[0] ?? trace.end;
+  const picture = chart({ ...context, whenShown: (d) => drawers.push(d) }, t('trace.wip'), 'large', (theme) => queueOption([{ name: t('trace.wip'), points: trace.wip }], end, theme, t('trace.parts')), { name: t('trace.wip'), data: () => [['min', 'parts'], ...trace.wip] });
+  requestAnimationFrame(() => drawers.forEach((d) => d()));
+  return section(t('trace.wip'), '', picture.element, h('p', { class: 'muted' }, t('trace.wipHint')));
 }
 
 function swatch(colour: string): HTMLElement {
