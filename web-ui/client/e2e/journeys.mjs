@@ -371,16 +371,18 @@ try {
     // Points have no elements of their own on a canvas: the cursor becomes a hand over one.
     const canvas = page.locator(`${where} canvas`).first();
     await canvas.scrollIntoViewIfNeeded();
-    const box = await canvas.boundingBox();
-    let hit = false;
-    for (let y = 4; !hit && y < box.height; y += 5) {
-      for (let x = 60; !hit && x < box.width; x += 5) {
-        await canvas.dispatchEvent('mousemove', { clientX: box.x + x, clientY: box.y + y, bubbles: true });
-        if ((await canvas.evaluate((c) => c.parentElement.style.cursor)) !== 'pointer') continue;
-        await page.mouse.click(box.x + x, box.y + y);
-        hit = (await page.locator('#front-plan[data-point]').count()) > 0;
-      }
-    }
+    const over = await canvas.evaluate((c) => {
+      const box = c.getBoundingClientRect();
+      for (let y = 4; y < box.height; y += 4)
+        for (let x = 60; x < box.width; x += 4) {
+          c.dispatchEvent(new MouseEvent('mousemove', { clientX: box.x + x, clientY: box.y + y, bubbles: true }));
+          if (c.parentElement.style.cursor === 'pointer') return { x: box.x + x, y: box.y + y };
+        }
+      return null;
+    });
+    assert.ok(over, 'no point of the front is under any pixel');
+    await page.mouse.click(over.x, over.y);
+    const hit = (await page.locator('#front-plan[data-point]').count()) > 0;
     assert.ok(hit, 'no point of the front could be clicked');
     await page.click(`${where} button[aria-label="Show the plan of point 2"]`);
     assert.equal(await page.getAttribute('#front-plan', 'data-point'), '1');
@@ -464,9 +466,10 @@ try {
     await page.setInputFiles('#fit-file', file);
     await page.waitForSelector('#fit-file-facts:has-text("Cutting time, min")');
     await page.fill('[data-flag=tool]', 'T5K10');
-    await page.fill('[data-flag=to]', '/inserts/9x');
+    await page.fill('[data-flag=tool]', 'nothing');
     await page.click('#fit-start');
-    await page.waitForSelector('.job[data-state=failed] .bad:not(:empty), #fit-answer table');
+    await page.waitForSelector('.job[data-state=failed] .bad:has-text("no row of 87 can be used")');
+    await page.fill('[data-flag=tool]', 'T5K10');
     await page.fill('[data-flag=to]', '/inserts/0');
     await page.click('#fit-start');
     await page.waitForSelector('.job[data-state=finished]');
@@ -516,6 +519,13 @@ try {
     const first = await page.locator('section:has-text("Shares of the time shown") tbody tr').first().locator('th, td').allTextContents();
     assert.equal(first[0], trace.machines[0].name);
     assert.equal(first[column], ((100 * cutting) / trace.horizon_min).toFixed(1));
+    // Edges of the tools stand in rows of their own, parts in the shop over time below.
+    const tools = new Set(trace.edges.map(([tool, machine]) => `${machine}: ${tool}`));
+    assert.match(await page.getAttribute('canvas.gantt', 'aria-label'), new RegExp(`of ${trace.machines.length + tools.size} rows`));
+    await page.waitForSelector('section:has(> h2:has-text("Parts in the shop over time")) .chart[data-drawn]');
+    const hours = await cells('#hours-table');
+    assert.equal(hours.length, 24);
+    hours.forEach((r) => assert.ok(Math.abs(r.slice(1).reduce((sum, x) => sum + Number(x), 0) - 100) < 0.01, String(r)));
     await picture('gantt');
     const states = ['cutting', 'idle', 'planned_change'];
     const machines = Array.from({ length: 20 }, (_, m) => ({ name: `machine ${m + 1}`, intervals: Array.from({ length: 20_000 }, (__, k) => [k * 26, (k + 1) * 26, states[(k + m) % 3]]) }));

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import { frontPlans, lossesOf, pricedLosses, sensitivityOf } from '../src/logic/answer';
-import { edgeRows, partsInShop, readTrace } from '../src/logic/gantt';
+import { edgeRows, hourShares, partsInShop, readTrace } from '../src/logic/gantt';
 import { entities } from '../src/logic/kpis';
 import { decode, headers } from '../src/logic/ownData';
 import { bottleneck, e10Groups, e10Shares, empiricalQuantile, leadTimePhases, partFlows } from '../src/logic/shop';
@@ -78,6 +78,16 @@ describe('a trace', () => {
     ]);
     expect(() => edgeRows([['t', 'm']])).toThrow('/edges/0');
     expect(readTrace({ machines: [{ name: 'm', intervals: [[0, 40, 'cutting']] }], edges: [['t', 'm', 10, 5, 'planned']] }).rows.length).toBe(2);
+  });
+  it('adds up to one in every hour that it reaches, across days', () => {
+    const row = { name: 'm', intervals: [[0, 90, 'cutting'], [90, 1440 * 3 + 30, 'idle'], [1440 * 3 + 30, 1440 * 3 + 60, 'cutting']] as [number, number, string][] };
+    const hours = hourShares(row);
+    for (const hour of hours) expect([...hour.values()].reduce((a, b) => a + b, 0)).toBeCloseTo(1, 12);
+    // Hour 0: 60 + 30 of four hours; hour 1: 30 of three.
+    expect(hours[0]?.get('cutting')).toBeCloseTo(90 / 240, 12);
+    expect(hours[1]?.get('cutting')).toBeCloseTo(30 / 180, 12);
+    expect(hours[5]?.get('idle')).toBe(1);
+    expect(hourShares({ name: 'm', intervals: [[0, 30, 'idle']] })[7]?.size).toBe(0);
   });
   it('counts the parts in the shop where none can be missing', () => {
     // Stays of 4, 2 and 3; the last finish is at 10: known up to 6.

@@ -575,6 +575,9 @@ export const en = {
   'fit.save': 'Save the changes',
   'fit.saveHint': 'The saved file says where the numbers come from; verstat run, optimize and validate take it with --changes.',
   'state.loading': 'loading',
+  'trace.hours': 'What a machine does by the hour of the day',
+  'trace.hour': 'Hour',
+  'trace.asTable': 'as a table',
 } as const;
 
 export type Key = keyof typeof en;

@@ -577,4 +577,7 @@ export const uk: Record<Key, string> = {
   'fit.save': 'Зберегти зміни',
   'fit.saveHint': 'Збережений файл каже, звідки числа; verstat run, optimize і validate беруть його з --changes.',
   'state.loading': 'завантаження',
+  'trace.hours': 'Що робить верстат за годинами доби',
+  'trace.hour': 'Година',
+  'trace.asTable': 'таблицею',
 };

@@ -168,3 +168,28 @@ export function stateShares(row: TraceRow, from: number, to: number): Map<string
   }
   return shares;
 }
+
+/**
+ * Shares of the time per state in each hour of the day, of the whole trace; hours that the trace does not reach are empty. Time 0
+ * is midnight.
+ */
+export function hourShares(row: TraceRow): Map<string, number>[] {
+  const hours = Array.from({ length: 24 }, () => new Map<string, number>());
+  const totals = new Array<number>(24).fill(0);
+  for (const [start, end, state] of row.intervals) {
+    // Whole days at once: a machine may stand for weeks.
+    const days = Math.floor((end - start) / 1440);
+    const add = (hour: number, minutes: number) => {
+      const slot = hours[hour] as Map<string, number>;
+      slot.set(state, (slot.get(state) ?? 0) + minutes);
+      totals[hour] = (totals[hour] ?? 0) + minutes;
+    };
+    if (days > 0) for (let hour = 0; hour < 24; ++hour) add(hour, 60 * days);
+    for (let at = start + days * 1440; at < end; ) {
+      const next = Math.min(end, (Math.floor(at / 60) + 1) * 60);
+      add(Math.floor(at / 60) % 24, next - at);
+      at = next;
+    }
+  }
+  return hours.map((slot, hour) => new Map([...slot].map(([state, minutes]) => [state, minutes / (totals[hour] ?? 1)])));
+}

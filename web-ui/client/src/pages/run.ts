@@ -84,7 +84,8 @@ function timeSection(context: PageContext, run: Run): HTMLElement {
   );
 }
 
-const shareKeys = new Set(['insert_cycle_availability', 'waiting_crew_share', 'failure_share', 'utilization', 'availability']);
+/** Shares are printed in percent. */
+const isShare = (key: string, kpi: Kpi | undefined) => (kpi === undefined || kpi.unit === '1') && /(_share|_ratio|_rate|utilization|availability|effectiveness|oee)$|^state\//.test(key);
 
 /** One table for the tools, the crews, or whatever else the run has indicators of. */
 function entitySection(run: Run, kind: string, head: string): HTMLElement {
@@ -104,10 +105,10 @@ function entitySection(run: Run, kind: string, head: string): HTMLElement {
           raw: (key: string) => tool.kpis.find((k) => k.key === key)?.kpi.mean,
           cell: (key: string) => {
             const kpi = tool.kpis.find((k) => k.key === key)?.kpi;
-            return kpi ? h('span', { title: kpi.meaning }, estimateText(kpi.mean, kpi.half_width_95, shareKeys.has(key) ? 100 : 1)) : '–';
+            return kpi ? h('span', { title: kpi.meaning }, estimateText(kpi.mean, kpi.half_width_95, isShare(key, kpi) ? 100 : 1)) : '–';
           },
         })),
-        { head: t('col.unit'), cell: (key: string) => h('span', { class: 'unit' }, shareKeys.has(key) ? '%' : unitText(tools[0]?.kpis.find((k) => k.key === key)?.kpi.unit ?? '')) },
+        { head: t('col.unit'), cell: (key: string) => h('span', { class: 'unit' }, isShare(key, tools.flatMap((e) => e.kpis).find((k) => k.key === key)?.kpi) ? '%' : unitText(tools.flatMap((e) => e.kpis).find((k) => k.key === key)?.kpi.unit ?? '')) },
       ],
       keys,
     ),

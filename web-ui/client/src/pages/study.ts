@@ -216,6 +216,7 @@ const often = 2000;
 export const studyPage: PageMaker = async (context, [id = '']) => {
   const [study, version] = await Promise.all([api.study(id, context.signal), api.version(context.signal)]);
   const sample = await api.trials(id, `sample=${mostDrawn}&best=${signOf(study) === 1 ? 'low' : 'high'}`, context.signal);
+  const today = study.result['front'] && study.baseline_run !== null ? await api.run(String(study.baseline_run), false, context.signal) : null;
   const changes = changeList(study.changes);
   const trials: Trials = { total: sample.total, list: sample.trials };
   const redraws: (() => void)[] = [];
@@ -263,7 +264,7 @@ export const studyPage: PageMaker = async (context, [id = '']) => {
       study.kind === 'optimize' ? h('div', { class: 'columns' }, pointSection(study), study.variables.length > 0 && trials.total > 0 ? planeSection(context, study, trials, redraws) : null) : null,
       bindingSection(study),
       oneCutSection(study),
-      frontSection(context, study),
+      frontSection(context, study, today?.kpis ?? []),
       tornadoSection(context, study),
       lossSection(context, study),
       study.kind === 'losses' || study.kind === 'compare' ? null : trials.total === 0 && study.status !== 'running' ? section(t('study.history'), '', h('p', {}, t('study.noTrials'))) : trialSections(context, study, trials, redraws),

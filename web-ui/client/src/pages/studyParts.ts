@@ -12,7 +12,7 @@ import { bindingOf, frontPlans, lossesOf, oneCutOf, pricedLosses, sensitivityOf,
 import { begin, remember } from '../logic/draft';
 import { applyChanges, type Json } from '../logic/pointer';
 import { section, type PageContext } from '../page';
-import type { Change, Job, PlanPoint, Study } from '../types';
+import type { Change, Job, Kpi, PlanPoint, Study } from '../types';
 import { jobPanel } from '../ui/job';
 
 const number = (x: number | null | undefined, digits = 4) => (typeof x === 'number' ? significant(x, digits) : '–');
@@ -108,10 +108,13 @@ async function openPlan(study: Study, values: PlanPoint['values'], signal: Abort
   location.hash = '#/scenario';
 }
 
-export function frontSection(context: PageContext, study: Study): HTMLElement | null {
+/** @param kpis of the study's run of today: where the units of the objectives stand */
+export function frontSection(context: PageContext, study: Study, kpis: readonly Kpi[]): HTMLElement | null {
   const front = frontPlans(study.result);
   if (!front) return null;
   const names = front.names.map((n) => named('kpi', n));
+  const units = front.names.map((n) => unitText(kpis.find((k) => k.name === n)?.unit ?? ''));
+  const withUnits = names.map((n, o) => [n, units[o]].filter(Boolean).join(', '));
   const today = (pointer: string) => study.result.baseline?.values.find((v) => v.pointer === pointer);
   const shown = (v: PlanPoint['values'][number] | undefined) => (v === undefined ? '–' : (v.text ?? (typeof v.value === 'number' ? significant(v.value) : JSON.stringify(v.value))));
   const place = h('div', { id: 'front-plan', role: 'status' }, h('p', { class: 'muted' }, t('front.click')));
@@ -126,15 +129,15 @@ export function frontSection(context: PageContext, study: Study): HTMLElement | 
         { head: t('front.this'), number: true, cell: shown, raw: (v) => (typeof v.value === 'number' ? v.value : shown(v)) },
         { head: t('col.unit'), cell: (v) => h('span', { class: 'unit' }, unitText(v.unit) || '1') },
       ], plan.values),
-      h('p', {}, names.map((n, o) => `${n}: ${estimateText(plan.simulated[o]?.mean ?? plan.objectives[o], plan.simulated[o]?.half_width)}`).join('; ')),
+      h('p', {}, names.map((n, o) => `${n}: ${estimateText(plan.simulated[o]?.mean ?? plan.objectives[o], plan.simulated[o]?.half_width)} ${units[o] ?? ''}`.trim()).join('; ')),
       h('p', { class: 'no-print' }, h('button', { type: 'button', onclick: () => void openPlan(study, plan.values, context.signal) }, t('front.use'))),
     ));
     place.dataset['point'] = String(k);
   };
   const knee = front.points.findIndex((p) => p.knee);
-  const picture = names.length < 2 ? null : chart(context, t('study.front'), 'large', (theme) => frontOption(front.points, names, theme), {
+  const picture = names.length < 2 ? null : chart(context, t('study.front'), 'large', (theme) => frontOption(front.points, withUnits, theme), {
     name: t('study.front'),
-    data: () => [front.names, ...front.points.map((p) => p.objectives)],
+    data: () => [withUnits, ...front.points.map((p) => p.objectives)],
     onClick: (item) => show(item.seriesName === t('study.knee') ? knee : item.dataIndex),
   });
   return section(
@@ -143,8 +146,8 @@ export function frontSection(context: PageContext, study: Study): HTMLElement | 
     h('div', { class: 'columns even' }, picture?.element ?? null, place),
     table<FrontPlan>(t('study.front'), [
       { head: t('front.point'), rowHead: true, cell: (p) => { const k = front.points.indexOf(p); return h('button', { type: 'button', class: 'quiet small', onclick: () => show(k), 'aria-label': t('front.show', { n: k + 1 }) }, k + 1, p.knee ? ` ${t('study.knee')}` : ''); } },
-      ...names.map((n, o) => ({ head: n, number: true, cell: (p: FrontPlan) => number(p.objectives[o], 6), raw: (p: FrontPlan) => p.objectives[o] })),
-      ...names.map((n, o) => ({ head: t('study.simulated', { objective: n }), number: true, cell: (p: FrontPlan) => estimateText(p.simulated[o]?.mean, p.simulated[o]?.half_width), raw: (p: FrontPlan) => p.simulated[o]?.mean })),
+      ...names.map((n, o) => ({ head: n, unit: units[o] ?? '', number: true, cell: (p: FrontPlan) => number(p.objectives[o], 6), raw: (p: FrontPlan) => p.objectives[o] })),
+      ...names.map((n, o) => ({ head: t('study.simulated', { objective: n }), unit: units[o] ?? '', number: true, cell: (p: FrontPlan) => estimateText(p.simulated[o]?.mean, p.simulated[o]?.half_width), raw: (p: FrontPlan) => p.simulated[o]?.mean })),
       ...study.variables.map((v) => ({ head: v.name, unit: unitText(v.unit), number: true, cell: (p: FrontPlan) => shown(p.values.find((x) => x.pointer === v.pointer)) })),
     ], front.points),
   );
