@@ -67,7 +67,7 @@ function timeSection(context: PageContext, run: Run): HTMLElement {
     percent: roundKeepingSum(states.map((state) => 100 * (m.states.find((s) => s.state === state)?.kpi.mean ?? 0)), 1),
   }));
   const label = rows.map((r) => `${r.machine}: ${states.map((s, k) => `${named('state', s)} ${fixed(r.percent[k] ?? 0, 1)} %`).join(', ')}`).join('; ');
-  const bars = chart(context, label, rows.length > 6 ? 'tall' : rows.length > 3 ? 'medium' : 'short', (theme) => timeBars(states.map((s) => named('state', s)), rows, theme, states), { name: t('run.time'), data: () => [[t('col.machine'), ...states], ...machines.map((m) => [m.machine, ...states.map((st) => m.states.find((x) => x.state === st)?.kpi.mean ?? 0)])] });
+  const bars = chart(context, label, rows.length > 6 || (rows.length > 3 && states.length > 8) ? 'tall' : rows.length > 3 || states.length > 8 ? 'medium' : 'short', (theme) => timeBars(states.map((s) => named('state', s)), rows, theme, states), { name: t('run.time'), data: () => [[t('col.machine'), ...states], ...machines.map((m) => [m.machine, ...states.map((st) => m.states.find((x) => x.state === st)?.kpi.mean ?? 0)])] });
   return section(
     t('run.time'),
     t('run.timeUnit'),
