@@ -88,9 +88,15 @@ try {
   page.on('console', (m) => m.type() === 'error' && complaints.push(m.text()));
   page.on('pageerror', (e) => complaints.push(String(e)));
   page.on('request', (r) => !r.url().startsWith(origin) && !/^(data|blob):/.test(r.url()) && outside.push(r.url()));
+  // A page stays until the next one has been made: what is read afterwards must be of the next one.
   const open = async (hash) => {
-    await page.goto(`${origin}/${hash}`);
-    await page.waitForSelector('main h1, main h2');
+    const to = `${origin}/${hash}`;
+    if (page.url() === to) await page.reload();
+    else {
+      await page.evaluate(() => document.querySelector('main > *')?.setAttribute('data-left', ''));
+      await page.goto(to);
+    }
+    await page.waitForFunction(() => document.querySelector('main h1, main h2') && !document.querySelector('main > [data-left]'));
   };
   const charts = async (count) => page.waitForFunction((n) => document.querySelectorAll('.chart[data-drawn]').length >= n, count);
   /** The window as it stands, or one part of the page. */
