@@ -190,7 +190,7 @@ TEST_CASE("bad jobs are refused before anything is started") {
     CHECK(answer.status == status);
     CHECK_THAT(answer.message(), Catch::Contains(part));
   };
-  refused({{"kind", "format"}}, 400, "run, study, again or trace");
+  refused({{"kind", "format"}}, 400, "run, study, again, trace, losses, resume or fit");
   refused({{"scenario", 1}}, 400, "scenario");
   refused({{"scenario", "{"}}, 422, "not JSON");
   refused({{"changes", {{{"pointer", "/machines/0/count"}, {"value", 0}}}}}, 422, "count");
@@ -276,4 +276,88 @@ TEST_CASE("notes and tags are kept, found and listed") {
   CHECK(serving.get("/api/v1/studies?tag=night").parsed()["total"] == 1);
   put("/api/v1/runs/3/notes", "{}");
   CHECK(ids("tag=night").empty());
+}
+
+TEST_CASE("a table is fitted with the flags of the command line, and its answer can be had") {
+  const Serving serving({}, "", R"sh(
+for word in "$@"; do echo "$word" >> words; done
+cp words "$(dirname "$0")/words"
+printf '{"patch": {}, "table": "%s"}' "$(cat removals_1.csv)"
+)sh");
+  const json body = {{"kind", "fit"},
+                     {"fit",
+                      {{"what", "life"},
+                       {"table", "life;cause"},
+                       {"file", "../data/removals 1.csv"},
+                       {"columns", {{"life", "Cutting time, min"}}},
+                       {"options", {{"to", "/inserts/0"}, {"gamma", 0.9}}}}}};
+  REQUIRE(serving.post("/api/v1/jobs", body.dump()).status == 202);
+  const json job = wait_for(serving, 1);
+  REQUIRE(job["state"] == "finished");
+  CHECK(job["result"]["fit"] == "life");
+  CHECK(job["result"]["patch"] == true);
+  CHECK(serving.get("/api/v1/jobs/1/output").parsed()["table"] == "life;cause");
+  std::ifstream in(serving.file().parent_path() / "words");
+  std::vector<std::string> words;
+  for (std::string line; std::getline(in, line);) words.push_back(line);
+  CHECK(words == std::vector<std::string>{"fit", "life", "removals_1.csv", "--json",
+                                          "--column=life=Cutting time, min", "--gamma=0.9",
+                                          "--to=/inserts/0"});
+}
+
+TEST_CASE("fits that would reach beyond their table are refused") {
+  const Serving serving({}, "", "echo '{}'");
+  const auto refused = [&](json changes, const std::string& part) {
+    json fit = {{"what", "life"}, {"table", "life;cause"}};
+    fit.update(changes);
+    const Answer answer = serving.post("/api/v1/jobs", json{{"kind", "fit"}, {"fit", fit}}.dump());
+    CAPTURE(answer.body);
+    CHECK(answer.status == 400);
+    CHECK_THAT(answer.message(), Catch::Contains(part));
+  };
+  refused({{"what", "value"}}, "life, taylor, downtime, arrivals or cycle");
+  refused({{"table", ""}}, "CSV");
+  refused({{"options", {{"out", "/etc/passwd"}}}}, "\"out\" is no flag");
+  refused({{"options", {{"criterion", 0.3}}}}, "\"criterion\" is no flag of verstat fit life");
+  refused({{"options", {{"tool", "a\nb"}}}}, "one line");
+  refused({{"options", {{"tool", json::array()}}}}, "a text or a number");
+  refused({{"columns", {{"--out", "x"}}}}, "no role");
+  refused({{"more", 1}}, "\"more\" is not known");
+}
+
+TEST_CASE("losses are priced for a stored run; only an interrupted study goes on") {
+  const Serving serving({}, "", R"(
+for word in "$@"; do echo "$word" >> words; done
+cp words "$(dirname "$0")/words"
+echo '{"study": 4}'
+)");
+  const auto words = [&] {
+    std::ifstream in(serving.file().parent_path() / "words");
+    std::vector<std::string> all;
+    for (std::string line; std::getline(in, line);) all.push_back(line);
+    return all;
+  };
+  REQUIRE(serving.post("/api/v1/jobs", R"({"kind": "losses", "run": 1})").status == 202);
+  CHECK(wait_for(serving, 1)["result"]["study"] == 4);
+  REQUIRE(words().size() >= 5);
+  CHECK(words()[0] == "losses");
+  CHECK(serving.post("/api/v1/jobs", R"({"kind": "losses", "run": 99})").status == 404);
+  CHECK(serving.post("/api/v1/jobs", R"({"kind": "resume", "study": 1})").status == 409);
+  CHECK(serving.post("/api/v1/jobs", R"({"kind": "resume", "study": 99})").status == 404);
+  CHECK(serving.post("/api/v1/jobs", R"({"kind": "resume", "study": "x"})").status == 400);
+  std::int64_t id = 0;
+  {
+    store::Writer writer(serving.file());
+    store::Study study = store::Reader(serving.file()).study(1).value();
+    study.header.kind = "sweep";
+    id = writer.begin_study(study);
+    writer.finish_study(id, std::nullopt, std::nullopt, "{}", "interrupted");
+  }
+  REQUIRE(serving.post("/api/v1/jobs", fmt::format(R"({{"kind": "resume", "study": {}}})", id)).status ==
+          202);
+  CHECK(wait_for(serving, 2)["state"] == "finished");
+  REQUIRE(words().size() >= 3);
+  CHECK(words()[0] == "sweep");
+  CHECK(words()[1] == "--resume");
+  CHECK(words()[2] == std::to_string(id));
 }

@@ -9,6 +9,7 @@
 #include "store/database.h"
 #include "web-ui/server/api_handlers.h"
 #include "web-ui/server/api_support.h"
+#include "web-ui/server/fit_job.h"
 
 namespace verstat::web {
 
@@ -122,55 +123,103 @@ JobSpec study_job(const Call& call, const json& body, const std::string& databas
           .finish = study_result};
 }
 
-JobSpec again_job(const Call& call, const json& body, const std::string& database) {
+/// A stored run that a body names: {"run": 3}, as the shop it was.
+struct StoredRun {
+  store::Run run;
+  std::vector<scenarios::Change> changes;
+};
+StoredRun stored_run(const Call& call, const json& body) {
   if (!body.contains("run") || !body["run"].is_number_integer())
     throw Refused{400, "body: run: must be the number of a run"};
   const auto id = body["run"].get<std::int64_t>();
-  const auto run = store::Reader(call.database).run(id, false);
+  auto run = store::Reader(call.database).run(id, false);
   if (!run) throw Refused{404, fmt::format("there is no run {}", id)};
   json stored = {{"changes", json::parse(run->header.changes, nullptr, false)}};
   if (!stored["changes"].is_array())
     throw Refused{422, fmt::format("run {}: its changes are kept in a form that cannot be repeated", id)};
+  return {std::move(*run), changes_of(stored)};
+}
+
+JobSpec again_job(const Call& call, const json& body, const std::string& database) {
+  const StoredRun stored = stored_run(call, body);
+  const std::int64_t id = stored.run.header.id;
   return {.kind = "again",
-          .title = fmt::format("{} ({})", run->header.scenario_name, id),
+          .title = fmt::format("{} ({})", stored.run.header.scenario_name, id),
           .arguments = with_changes(
               {"run", "scenario.json", "--json", "--db", database, fmt::format("--label=run {} again", id)},
-              changes_of(stored)),
-          .files = {{"scenario.json", run->scenario_text}},
+              stored.changes),
+          .files = {{"scenario.json", stored.run.scenario_text}},
           .finish = [file = call.database, id](const std::string& output) {
             return repeated_result(file, id, output);
           }};
 }
 
 JobSpec trace_job(const Call& call, const json& body) {
-  if (!body.contains("run") || !body["run"].is_number_integer())
-    throw Refused{400, "body: run: must be the number of a run"};
-  const auto id = body["run"].get<std::int64_t>();
-  const auto run = store::Reader(call.database).run(id, false);
-  if (!run) throw Refused{404, fmt::format("there is no run {}", id)};
+  const StoredRun stored = stored_run(call, body);
+  const std::int64_t id = stored.run.header.id;
   std::int64_t replication = 0;
   if (body.contains("replication")) {
     if (!body["replication"].is_number_integer())
       throw Refused{400, "body: replication: must be a whole number"};
     replication = body["replication"].get<std::int64_t>();
   }
-  if (replication < 0 || replication >= run->header.replications)
+  if (replication < 0 || replication >= stored.run.header.replications)
     throw Refused{422, fmt::format("replication {}: run {} has replications 0 to {}", replication, id,
-                                   run->header.replications - 1)};
-  json stored = {{"changes", json::parse(run->header.changes, nullptr, false)}};
-  if (!stored["changes"].is_array())
-    throw Refused{422, fmt::format("run {}: its changes are kept in a form that cannot be repeated", id)};
+                                   stored.run.header.replications - 1)};
   return {
       .kind = "trace",
-      .title = fmt::format("{} ({})", run->header.scenario_name, id),
+      .title = fmt::format("{} ({})", stored.run.header.scenario_name, id),
       .arguments = with_changes(
           {"trace", "scenario.json", "--format", "json", "--replication", std::to_string(replication)},
-          changes_of(stored)),
-      .files = {{"scenario.json", run->scenario_text}},
+          stored.changes),
+      .files = {{"scenario.json", stored.run.scenario_text}},
       .keep_output = true,
       .finish = [id, replication](const std::string& output) {
         return ordered_json{{"of_run", id}, {"replication", replication}, {"bytes", output.size()}}.dump();
       }};
+}
+
+/// What removing each loss of a run's shop would bring: `verstat losses`, stored as a study.
+JobSpec losses_job(const Call& call, const json& body, const std::string& database) {
+  const StoredRun stored = stored_run(call, body);
+  if (stored.run.header.replications < 2)
+    throw Refused{422, fmt::format("run {} has one replication; pricing its losses needs at least 2",
+                                   stored.run.header.id)};
+  std::vector<std::string> arguments = {"losses", "scenario.json", "--json", "--db", database};
+  arguments.insert(arguments.end(), call.study_flags.begin(), call.study_flags.end());
+  return {.kind = "losses",
+          .title = fmt::format("{} ({})", stored.run.header.scenario_name, stored.run.header.id),
+          .arguments = with_changes(std::move(arguments), stored.changes),
+          .files = {{"scenario.json", stored.run.scenario_text}},
+          .finish = study_result};
+}
+
+/// An interrupted study goes on where it stopped.
+JobSpec resume_job(const Call& call, const json& body, const std::string& database) {
+  if (!body.contains("study") || !body["study"].is_number_integer())
+    throw Refused{400, "body: study: must be the number of a study"};
+  const auto id = body["study"].get<std::int64_t>();
+  const auto study = store::Reader(call.database).study(id, false);
+  if (!study) throw Refused{404, fmt::format("there is no study {}", id)};
+  const store::StudyHeader& header = study->header;
+  if (header.kind != "optimize" && header.kind != "sweep")
+    throw Refused{
+        422, fmt::format("study {} is of the kind {}; only optimize and sweep can go on", id, header.kind)};
+  if (header.status != "interrupted")
+    throw Refused{409,
+                  fmt::format("study {} is {}; only an interrupted one can go on here", id, header.status)};
+  if (call.jobs != nullptr)
+    for (const JobStatus& job : call.jobs->list())
+      if (job.kind == "resume" && !job.over() && job.title.ends_with(fmt::format("({})", id)))
+        throw Refused{409, fmt::format("study {} goes on already, as job {}", id, job.id)};
+  std::vector<std::string> arguments = {header.kind, "--resume", std::to_string(id),
+                                        "--json",    "--db",     database};
+  arguments.insert(arguments.end(), call.study_flags.begin(), call.study_flags.end());
+  return {.kind = "resume",
+          .title = fmt::format("{} ({})", header.name, id),
+          .lengthy = true,
+          .arguments = std::move(arguments),
+          .finish = study_result};
 }
 
 Jobs& jobs_of(const Call& call) {
@@ -202,7 +251,7 @@ Response show_job(const Call& call) {
 Response start_job(const Call& call) {
   check_query(call.target, {});
   const json body =
-      body_of(call.request, {"kind", "scenario", "changes", "label", "study", "run", "replication"});
+      body_of(call.request, {"kind", "scenario", "changes", "label", "study", "run", "replication", "fit"});
   const std::string kind = text_member(body, "kind", "run", 20);
   const std::string database = std::filesystem::absolute(call.database).string();
   JobSpec spec;
@@ -214,8 +263,16 @@ Response start_job(const Call& call) {
     spec = again_job(call, body, database);
   } else if (kind == "trace") {
     spec = trace_job(call, body);
+  } else if (kind == "losses") {
+    spec = losses_job(call, body, database);
+  } else if (kind == "resume") {
+    spec = resume_job(call, body, database);
+  } else if (kind == "fit") {
+    spec = fit_job(body);
   } else {
-    throw Refused{400, fmt::format("body: kind: \"{}\": must be run, study, again or trace", kind)};
+    throw Refused{
+        400,
+        fmt::format("body: kind: \"{}\": must be run, study, again, trace, losses, resume or fit", kind)};
   }
   const auto id = jobs_of(call).submit(std::move(spec));
   if (!id)
@@ -251,8 +308,8 @@ Response show_output(const Call& call) {
   const auto status = jobs_of(call).find(id);
   if (!status) throw Refused{404, fmt::format("there is no job {}", id)};
   if (!status->output)
-    throw Refused{404, fmt::format("job {} keeps no output: only finished traces do, the {} newest", id,
-                                   Jobs::most_outputs)};
+    throw Refused{404, fmt::format("job {} keeps no output: only finished traces and fits do, the {} newest",
+                                   id, Jobs::most_outputs)};
   return {.body = *status->output};
 }
 

@@ -64,11 +64,26 @@ Axis axis_of(const json& body, const char* member, const char* name) {
   return axis;
 }
 
-/// A local "#/..." reference followed, so that readers of the schema need not know how it is cut up.
+/// A local "#/..." reference followed, and "this or null" taken for this, so that readers of the schema need
+/// not know how it is cut up.
 const ordered_json& resolved(const ordered_json& schema, const ordered_json& at) {
   const ordered_json* here = &at;
-  for (int k = 0; k < 16 && here->contains("$ref"); ++k)
-    here = &schema.at(ordered_json::json_pointer((*here)["$ref"].get_ref<const std::string&>().substr(1)));
+  for (int k = 0; k < 16; ++k) {
+    if (here->contains("$ref")) {
+      here = &schema.at(ordered_json::json_pointer((*here)["$ref"].get_ref<const std::string&>().substr(1)));
+      continue;
+    }
+    if (!here->contains("anyOf")) break;
+    const ordered_json* only = nullptr;
+    int alternatives = 0;
+    for (const ordered_json& one : (*here)["anyOf"])
+      if (one.value("type", ordered_json()) != "null") {
+        only = &one;
+        ++alternatives;
+      }
+    if (alternatives != 1) break;
+    here = only;
+  }
   return *here;
 }
 

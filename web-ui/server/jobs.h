@@ -21,7 +21,7 @@ enum class JobState { queued, running, finished, failed, cancelled };
 
 /// What to start.
 struct JobSpec {
-  std::string kind;                          ///< "run", "study", "again", "trace"
+  std::string kind;                          ///< "run", "study", "again", "trace", "losses", "resume", "fit"
   std::string title;                         ///< for people
   bool lengthy = false;                      ///< queued among studies, which take hours
   std::vector<std::string> arguments;        ///< of the program; file names are those of `files`

@@ -7,7 +7,7 @@ import { execFileSync, spawn } from 'node:child_process';
 import { mkdirSync, mkdtempSync, readFileSync, rmSync, writeFileSync } from 'node:fs';
 import { createRequire } from 'node:module';
 import { tmpdir } from 'node:os';
-import { join } from 'node:path';
+import { join, resolve } from 'node:path';
 import { parseArgs } from 'node:util';
 import { chromium } from 'playwright-core';
 
@@ -52,6 +52,12 @@ function printed(kpi, scale = 1) {
   const digits = Math.max(0, 1 - Math.floor(Math.log10(half)));
   return { mean: (kpi.mean * scale).toFixed(digits), half: `± ${half.toFixed(digits)}` };
 }
+// With a separator of thousands, as pages print it.
+function printedThousands(kpi) {
+  const { mean, half } = printed(kpi);
+  const group = (x) => x.replace(/\B(?=(\d{3})+(?!\d))/g, ',');
+  return `${group(mean)} ${half}`;
+}
 const plain = (text) => text.replace(/,/g, '');
 
 const axe = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
@@ -82,16 +88,23 @@ try {
   page.on('console', (m) => m.type() === 'error' && complaints.push(m.text()));
   page.on('pageerror', (e) => complaints.push(String(e)));
   page.on('request', (r) => !r.url().startsWith(origin) && !/^(data|blob):/.test(r.url()) && outside.push(r.url()));
+  // A page stays until the next one has been made: what is read afterwards must be of the next one.
   const open = async (hash) => {
-    await page.goto(`${origin}/${hash}`);
-    await page.waitForSelector('main h1, main h2');
+    const to = `${origin}/${hash}`;
+    if (page.url() === to) await page.reload();
+    else {
+      await page.evaluate(() => document.querySelector('main > *')?.setAttribute('data-left', ''));
+      await page.goto(to);
+    }
+    await page.waitForFunction(() => document.querySelector('main h1, main h2') && !document.querySelector('main > [data-left]'));
   };
   const charts = async (count) => page.waitForFunction((n) => document.querySelectorAll('.chart[data-drawn]').length >= n, count);
-  const picture = async (name) => {
+  /** The window as it stands, or one part of the page. */
+  const picture = async (name, part) => {
     if (!options.images) return;
-    await page.evaluate(() => scrollTo(0, 0));
     mkdirSync(options.images, { recursive: true });
-    writeFileSync(join(options.images, `${name}.png`), await page.screenshot());
+    if (!part) await page.evaluate(() => scrollTo(0, 0));
+    writeFileSync(join(options.images, `${name}.png`), await (part ? page.locator(part).first() : page).screenshot());
   };
 
   await journey('home lists runs and studies, the last finding on top', async () => {
@@ -323,6 +336,162 @@ try {
     assert.match((await save(chart, 'SVG')).toString('utf8'), /^<svg[\s\S]*cutting/);
   });
 
+  // Real answers of every kind of study, with small budgets.
+  const regime = [
+    { name: 'gamma', pointer: '/tools/0/strategy/gamma', unit: '1', low: 0.3, high: 0.9 },
+    { name: 'speed', pointer: '/operations/0/process/cutting_speed_m_min', unit: 'm/min', low: 40, high: 80 },
+  ];
+  const cost = { kpi: 'cost_per_part', direction: 'minimize' };
+  const studied = (name, more, ...flags) => {
+    const file = join(folder, `${name}.json`);
+    writeFileSync(file, JSON.stringify({ name, scenario: resolve(options.scenarios, 'heavy-lathe.json'), variables: regime, confirmation: { replications: 5 }, ...more }));
+    return JSON.parse(verstat('optimize', file, '--json', '--progress', 'none', ...flags)).study;
+  };
+  const cells = (where) => page.locator(`${where} tbody tr`).evaluateAll((all) => all.map((r) => [...r.cells].map((c) => c.textContent)));
+  const short = (x, digits) => Number(x.toPrecision(digits));
+
+  await journey('a study shows what holds its plan back, one cut against the shop, and what uncertain inputs do', async () => {
+    const id = studied('Bound by throughput', { objective: cost, constraints: [{ kpi: 'throughput_per_h', at_least: 3.4 }], search: { max_evaluations: 300, starts: 1 }, uncertain: [{ name: 'Taylor exponent', pointer: '/inserts/0/edge_life/speed_exponent', relative: 0.1 }] });
+    const { result } = json('--study', String(id));
+    assert.ok(result.binding.length > 0 && result.one_cut.length > 0 && result.sensitivity.length > 0);
+    await open(`#/studies/${id}`);
+    const [bound] = await cells('section:has(> h2:has-text("What holds the plan back"))');
+    assert.equal(Number(plain(bound[2])), short(result.binding[0].allowed, 6));
+    assert.equal(Number(plain(bound[4])), short(result.binding[0].shadow_price, 3));
+    const [cut] = await cells('section:has(> h2:has-text("One cut against the shop"))');
+    const one = result.one_cut[0];
+    assert.deepEqual(cut.slice(0, 4), [one.operation, ...[one.speed_min_cost_m_min, one.speed_max_rate_m_min, one.speed_shop_m_min].map((v) => String(short(v, 4)))]);
+    const [moved] = await cells('section:has(> h2:has-text("What uncertain inputs do"))');
+    assert.equal(Number(plain(moved[1])), short(result.sensitivity[0].objective_low, 6));
+    await page.waitForSelector('section:has(> h2:has-text("What uncertain inputs do")) .chart[data-drawn]');
+    await accessible(page, 'bound study');
+    await page.locator('section:has(> h2:has-text("What holds the plan back"))').scrollIntoViewIfNeeded();
+  });
+
+  await journey('a click on a point of the front shows its plan, which opens as a scenario', async () => {
+    const id = studied('Cost and throughput', { objectives: [cost, { kpi: 'throughput_per_h', direction: 'maximize' }], front: { points: 5, replications: 3 }, search: { max_evaluations: 200, starts: 1 } });
+    const { front } = json('--study', String(id)).result;
+    await open(`#/studies/${id}`);
+    const where = 'section:has(> h2:has-text("Several objectives"))';
+    await page.waitForSelector(`${where} .chart[data-drawn]`);
+    // Points have no elements of their own on a canvas: the cursor becomes a hand over one.
+    const canvas = page.locator(`${where} canvas`).first();
+    await canvas.scrollIntoViewIfNeeded();
+    const over = await canvas.evaluate((c) => {
+      const box = c.getBoundingClientRect();
+      for (let y = 4; y < box.height; y += 4)
+        for (let x = 60; x < box.width; x += 4) {
+          c.dispatchEvent(new MouseEvent('mousemove', { clientX: box.x + x, clientY: box.y + y, bubbles: true }));
+          if (c.parentElement.style.cursor === 'pointer') return { x: box.x + x, y: box.y + y };
+        }
+      return null;
+    });
+    assert.ok(over, 'no point of the front is under any pixel');
+    await page.mouse.click(over.x, over.y);
+    const hit = (await page.locator('#front-plan[data-point]').count()) > 0;
+    assert.ok(hit, 'no point of the front could be clicked');
+    await page.click(`${where} button[aria-label="Show the plan of point 2"]`);
+    assert.equal(await page.getAttribute('#front-plan', 'data-point'), '1');
+    const plan = (await cells('#front-plan')).map((r) => Number(plain(r[2])));
+    assert.deepEqual(plan, front.points[1].values.map((v) => short(v.value, 6)));
+    await accessible(page, 'front');
+    await picture('front', where);
+    await page.click('#front-plan button:text-is("Open this plan as a scenario")');
+    await page.waitForSelector('#check.good');
+    const scenario = JSON.parse(await page.inputValue('#scenario-text'));
+    assert.equal(scenario.tools[0].strategy.gamma, front.points[1].values[0].value);
+  });
+
+  await journey('an interrupted study goes on from its page to the same answer', async () => {
+    const more = { objective: cost, search: { max_evaluations: 80, starts: 1 } };
+    const whole = json('--study', String(studied('In one go', more))).result;
+    const id = studied('Stopped early', more, '--time', '0.001');
+    assert.equal(json('--study', String(id)).status, 'interrupted');
+    await open(`#/studies/${id}`);
+    await page.click('#resume');
+    await page.waitForSelector('#resume', { state: 'detached' });
+    await page.waitForSelector('.finding.better');
+    const study = json('--study', String(id));
+    assert.equal(study.status, 'finished');
+    assert.deepEqual(study.result.best, whole.best);
+  });
+
+  await journey('a large shop shows its bottleneck, lead time, losses in three groupings and its consumption', async () => {
+    const { id } = JSON.parse(verstat('run', join(options.scenarios, 'pump-shop.json'), '--json', '--replications', '10'));
+    const run = json('--run', String(id), '--all-replications');
+    const mean = (name) => run.kpis.find((k) => k.name === name).mean;
+    await open(`#/runs/${id}`);
+    const longest = run.kpis.filter((k) => k.name.endsWith('/active_period_min')).sort((a, b) => b.mean - a.mean)[0].name.split('/')[1];
+    assert.equal(await page.getAttribute('#bottleneck', 'data-machine'), longest);
+    const phases = await cells('section:has(> h2:text-matches("^Lead time"))');
+    assert.ok(Math.abs(phases.reduce((sum, r) => sum + Number(r[2]), 0) - 100) < 0.01);
+    const phase = run.kpis.find((k) => k.name === 'lead_time/queue_min');
+    assert.ok(phases.some((r) => r[1] === `${printedThousands(phase)}`), `${phases}`);
+    const groups = await cells('section:has(> h2:has-text("SEMI E10"))');
+    groups.forEach((r) => assert.ok(Math.abs(r.slice(1).reduce((sum, x) => sum + Number(x), 0) - 100) < 0.01, String(r)));
+    const saw = groups.find((r) => r[0] === 'saw');
+    assert.ok(Math.abs(Number(saw[5]) - 100 * mean('machine/saw/state/off_shift')) < 0.11);
+    const six = await cells('section:has(> h2:has-text("Six big losses"))');
+    assert.ok(six.length > 0);
+    await page.waitForSelector('#consumption table');
+    const [used] = await cells('#consumption');
+    const insert = run.kpis.find((k) => k.name === `insert/${used[0]}/consumption`);
+    assert.equal(Number(plain(used[2])), [...insert.values].sort((a, b) => a - b)[8]);
+    await page.waitForSelector('section:has(> h2:has-text("Parts, scrap and rework")) .chart[data-drawn]');
+    assert.match(await page.getAttribute('section:has(> h2:has-text("Parts, scrap and rework")) .chart', 'aria-label'), /to rework/);
+    await accessible(page, 'pump shop');
+    await picture('shop', 'section:has(> h2:has-text("Bottleneck"))');
+    await picture('sankey', 'section:has(> h2:has-text("Parts, scrap and rework"))');
+  });
+
+  await journey('the losses of a run are priced as verstat losses does', async () => {
+    const { id } = JSON.parse(verstat('run', join(options.scenarios, 'tools-unattended.json'), '--json', '--replications', '4'));
+    const direct = JSON.parse(execFileSync(options.program, ['losses', join(options.scenarios, 'tools-unattended.json'), '--replications', '4', '--json', '--progress', 'none', '--db', join(folder, 'losses.db')], { encoding: 'utf8' }));
+    const share = json('--run', String(id)).kpis.find((k) => k.name.endsWith('/no_stop_share'));
+    await open(`#/runs/${id}`);
+    const [tool] = await cells('section:has(> h2:has-text("An unattended interval"))');
+    assert.equal(tool[1], `${printed(share, 100).mean} ${printed(share, 100).half}`);
+    await page.click('#price-losses');
+    await page.waitForSelector('#losses .losses table');
+    const rows = await cells('#losses .losses');
+    assert.equal(rows.length, direct.losses.length);
+    for (const loss of direct.losses) {
+      const row = rows.find((r) => r[0] === loss.name);
+      const week = 10080 / direct.minutes;
+      assert.ok(Math.abs(Number(plain(row[1].split(' ± ')[0])) - loss.parts.mean * week) <= Math.max(0.01, 0.1 * loss.parts.half_width * week), `${row} against ${loss.parts.mean * week}`);
+    }
+    await page.waitForSelector('#losses .chart[data-drawn]');
+    await accessible(page, 'losses');
+    await picture('losses', 'section:has(#losses)');
+  });
+
+  await journey('a table of the shop is fitted as verstat fit does, and its laws go into a scenario', async () => {
+    const file = resolve(options.scenarios, '../../docs/examples/fit/removals.csv');
+    const direct = JSON.parse(execFileSync(options.program, ['fit', 'life', file, '--tool', 'T5K10', '--to', '/inserts/0', '--json'], { encoding: 'utf8' }));
+    await open('#/fit');
+    await page.setInputFiles('#fit-file', file);
+    await page.waitForSelector('#fit-file-facts:has-text("Cutting time, min")');
+    await page.fill('[data-flag=tool]', 'T5K10');
+    await page.fill('[data-flag=tool]', 'nothing');
+    await page.click('#fit-start');
+    await page.waitForSelector('.job[data-state=failed] .bad:has-text("no row of 87 can be used")');
+    await page.fill('[data-flag=tool]', 'T5K10');
+    await page.fill('[data-flag=to]', '/inserts/0');
+    await page.click('#fit-start');
+    await page.waitForSelector('.job[data-state=finished]');
+    await page.waitForSelector('#fit-answer .chart[data-drawn]');
+    const laws = await cells('#fit-answer section:has(> h2:has-text("T5K10"))');
+    direct.groups[0].laws.forEach((law, k) => assert.deepEqual(laws[k].slice(0, 2).map((x, n) => (n === 0 ? x : Number(plain(x)))), [law.family, short(law.life_mean, 4)]));
+    await accessible(page, 'fit');
+    await picture('fit', '#fit-answer section:has(> h2:has-text("T5K10"))');
+    await page.selectOption('#fit-scenario', 'heavy-lathe');
+    await page.click('#fit-use');
+    await page.waitForSelector('#check.good');
+    const scenario = JSON.parse(await page.inputValue('#scenario-text'));
+    const cv = direct.patch.changes.find((c) => c.pointer === '/inserts/0/edge_life/cv');
+    assert.equal(scenario.inserts[0].edge_life.cv, cv.value);
+  });
+
   await journey('the tool-change sheet and the morning report print', async () => {
     await open('#/sheet/1');
     const plan = JSON.parse(execFileSync(options.program, ['models', 'eval', 'K117.gamma_percent_life', '--inputs', '{"gamma": 0.64}'], { encoding: 'utf8' }));
@@ -356,6 +525,13 @@ try {
     const first = await page.locator('section:has-text("Shares of the time shown") tbody tr').first().locator('th, td').allTextContents();
     assert.equal(first[0], trace.machines[0].name);
     assert.equal(first[column], ((100 * cutting) / trace.horizon_min).toFixed(1));
+    // Edges of the tools stand in rows of their own, parts in the shop over time below.
+    const tools = new Set(trace.edges.map(([tool, machine]) => `${machine}: ${tool}`));
+    assert.match(await page.getAttribute('canvas.gantt', 'aria-label'), new RegExp(`of ${trace.machines.length + tools.size} rows`));
+    await page.waitForSelector('section:has(> h2:has-text("Parts in the shop over time")) .chart[data-drawn]');
+    const hours = await cells('#hours-table');
+    assert.equal(hours.length, 24);
+    hours.forEach((r) => assert.ok(Math.abs(r.slice(1).reduce((sum, x) => sum + Number(x), 0) - 100) < 0.01, String(r)));
     await picture('gantt');
     const states = ['cutting', 'idle', 'planned_change'];
     const machines = Array.from({ length: 20 }, (_, m) => ({ name: `machine ${m + 1}`, intervals: Array.from({ length: 20_000 }, (__, k) => [k * 26, (k + 1) * 26, states[(k + m) % 3]]) }));

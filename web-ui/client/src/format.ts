@@ -13,9 +13,9 @@ function formatter(options: Intl.NumberFormatOptions): Intl.NumberFormat {
   return f;
 }
 
-/** With so many decimals; minus zero is zero. */
+/** With so many decimals; what rounds to nought has no sign. */
 export function fixed(x: number, digits: number): string {
-  return formatter({ minimumFractionDigits: digits, maximumFractionDigits: digits }).format(x === 0 ? 0 : x);
+  return formatter({ minimumFractionDigits: digits, maximumFractionDigits: digits }).format(Number(x.toFixed(Math.min(100, digits))) === 0 ? 0 : x);
 }
 
 /** Six (or so many) significant digits; very large and very small numbers with an exponent. */

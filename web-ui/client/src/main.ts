@@ -6,6 +6,7 @@ import { fragment, h } from './dom';
 import { language, setLanguage, t } from './i18n';
 import type { PageContent, PageContext, PageMaker } from './page';
 import { comparePage } from './pages/compare';
+import { fitPage } from './pages/fit';
 import { homePage } from './pages/home';
 import { modelPage } from './pages/model';
 import { modelsPage } from './pages/models';
@@ -28,6 +29,7 @@ const pages: Record<string, PageMaker> = {
   scenario: scenarioPage,
   operations: operationsPage,
   trace: tracePage,
+  fit: fitPage,
   models: modelsPage,
   model: modelPage,
 };
@@ -49,7 +51,7 @@ function header(): void {
   const here = location.hash;
   const link = (href: string, text: string, active: boolean) => h('a', { href, 'aria-current': active ? 'page' : undefined }, text);
   const inside = (part: string) => here.startsWith(`#/${part}`);
-  const elsewhere = ['models', 'scenario', 'operations', 'trace'].some(inside);
+  const elsewhere = ['models', 'scenario', 'operations', 'trace', 'fit'].some(inside);
   const select = h(
     'select',
     {
@@ -64,7 +66,7 @@ function header(): void {
   );
   document.getElementById('top')?.replaceChildren(
     h('a', { class: 'brand', href: '#/' }, h('strong', {}, 'Verstat'), h('span', { class: 'tagline' }, t('app.tagline'))),
-    h('nav', { 'aria-label': t('nav.main') }, link('#/', t('nav.home'), !elsewhere), link('#/scenario', t('nav.scenario'), inside('scenario')), link('#/operations', t('nav.operations'), inside('operations')), link('#/models', t('nav.models'), inside('models')), link('#/trace', t('nav.trace'), inside('trace'))),
+    h('nav', { 'aria-label': t('nav.main') }, link('#/', t('nav.home'), !elsewhere), link('#/scenario', t('nav.scenario'), inside('scenario')), link('#/operations', t('nav.operations'), inside('operations')), link('#/models', t('nav.models'), inside('models')), link('#/trace', t('nav.trace'), inside('trace')), link('#/fit', t('fit.title'), inside('fit'))),
     select,
   );
 }
@@ -118,7 +120,7 @@ async function show(): Promise<void> {
   header();
   main.setAttribute('aria-busy', 'true');
   // Most pages come sooner than a loading state could be read.
-  const loading = setTimeout(() => main.replaceChildren(h('p', { class: 'state' }, t('state.loading'))), 200);
+  const loading = setTimeout(() => main.replaceChildren(h('p', { class: 'state' }, t('page.loading'))), 200);
   let content: PageContent;
   try {
     const route = matchRoute(location.hash);

@@ -1,8 +1,8 @@
 // Addresses: #/ #/runs/3 #/studies/1 #/report/1 #/compare/2/3/4 #/scenario/run/3 #/operations/turning #/sheet/3
-// #/trace/3 #/models #/models/K117.part_cost
+// #/trace/3 #/fit #/models #/models/K117.part_cost
 
 export interface Route {
-  page: 'home' | 'run' | 'study' | 'report' | 'sheet' | 'compare' | 'scenario' | 'operations' | 'trace' | 'models' | 'model';
+  page: 'home' | 'run' | 'study' | 'report' | 'sheet' | 'compare' | 'scenario' | 'operations' | 'trace' | 'fit' | 'models' | 'model';
   parameters: string[];
 }
 
@@ -18,6 +18,7 @@ const patterns: [RegExp, Route['page']][] = [
   [/^#\/scenario\/(gallery)\/([\w-]+)$/, 'scenario'],
   [/^#\/operations(?:\/([\w-]+))?$/, 'operations'],
   [/^#\/trace(?:\/(\d+))?$/, 'trace'],
+  [/^#\/fit$/, 'fit'],
   [/^#\/models$/, 'models'],
   [/^#\/models\/([\w.-]+)$/, 'model'],
 ];

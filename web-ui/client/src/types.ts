@@ -51,6 +51,7 @@ export interface StudyHeader extends Partial<Annotation> {
   id: number;
   name: string;
   scenario: string;
+  kind: 'optimize' | 'sweep' | 'compare' | 'losses';
   status: string;
   objective: string;
   trials: number;
@@ -279,7 +280,7 @@ export interface CheckResult {
 
 export interface Job {
   id: number;
-  kind: 'run' | 'study' | 'again' | 'trace';
+  kind: 'run' | 'study' | 'again' | 'trace' | 'losses' | 'resume' | 'fit';
   title: string;
   state: 'queued' | 'running' | 'finished' | 'failed' | 'cancelled';
   stage: string;

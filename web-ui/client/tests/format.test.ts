@@ -5,6 +5,9 @@ import { setLanguage } from '../src/i18n';
 afterEach(() => setLanguage('en'));
 
 describe('numbers', () => {
+  it('what rounds to nought has no sign', () => {
+    expect([fixed(-0.04, 1), fixed(-0, 2), fixed(-0.06, 1)]).toEqual(['0.0', '0.00', '-0.1']);
+  });
   it('shows two digits of the uncertainty and the mean no finer', () => {
     expect(estimateText(149.72325817975917, 0.4281050065366141)).toBe('149.72 ± 0.43');
     expect(estimateText(13929.8, 16.00322587259135)).toBe('13,930 ± 16');

@@ -7,7 +7,7 @@ import { flowOf, groupsOf, shopGraph } from '../src/logic/graph';
 import { entityKinds } from '../src/logic/kpis';
 import { oeeRows } from '../src/logic/oee';
 import { put, type Json } from '../src/logic/pointer';
-import { blocks, frontOf } from '../src/logic/result';
+import { blocks } from '../src/logic/result';
 import { changeSheet, stops } from '../src/logic/windows';
 import { stretches } from '../src/charts/sweep';
 import { mapOption } from '../src/charts/modelMap';
@@ -175,12 +175,6 @@ describe('other views', () => {
       { name: 'choice/finalists', columns: ['mean', 'speed'], rows: [{ mean: 1, speed: 47 }], facts: [] },
     ]);
     expect(blocks({})).toEqual([]);
-  });
-  it('a front is read in the forms that an answer may give it', () => {
-    expect(frontOf({ front: { points: [{ objectives: [1, 2] }, { objectives: [2, 1] }], knee: 1 } })).toEqual({ points: [{ objectives: [1, 2], knee: false }, { objectives: [2, 1], knee: true }], names: [] });
-    expect(frontOf({ front: [{ objectives: [{ kpi: 'a', value: 1 }, { kpi: 'b', value: 2 }] }, { objectives: [{ kpi: 'a', value: 2 }, { kpi: 'b', value: 1 }], knee: true }] })?.names).toEqual(['a', 'b']);
-    expect(frontOf({ front: [{ objectives: [1] }] })).toBeNull();
-    expect(frontOf({})).toBeNull();
   });
   it('stretches of broken limits reach half-way to their neighbours', () => {
     const at = (value: number, bad: boolean) => ({ value, bad });

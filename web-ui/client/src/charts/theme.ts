@@ -49,6 +49,20 @@ const known: Record<string, string> = {
   damage: '#A8400B',
   scrap: '#5D4037',
   labour: '#B8A000',
+  loading: '#7FB3D5',
+  setup: '#F4D03F',
+  waiting_tool: '#F1A7C9',
+  repair: '#8E1B1B',
+  waiting_repair: '#C98B8B',
+  maintenance: '#6C8EBF',
+  overload_reset: '#A8400B',
+  warm_up: '#F5B97F',
+  blocked: '#8C6BB1',
+  off: '#C8CDD2',
+  off_shift: '#E3E6E9',
+  tool_swap: '#4DB6AC',
+  edge_planned: '#56B4E9',
+  edge_failed: '#D55E00',
 };
 
 /** Black or white, whichever is read better on `colour` (#rrggbb; relative luminance of WCAG 2). */

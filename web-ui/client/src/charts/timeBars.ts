@@ -14,7 +14,8 @@ export interface TimeRow {
 /** `names` as printed; `keys` decide the colours. */
 export function timeBars(names: readonly string[], rows: readonly TimeRow[], theme: Theme, keys: readonly string[] = names): Option {
   return {
-    grid: { left: 8, right: 16, top: 34, bottom: 4, containLabel: true },
+    // The legend takes another line for every four names.
+    grid: { left: 8, right: 16, top: 14 + 20 * Math.max(1, Math.ceil(names.length / 4)), bottom: 4, containLabel: true },
     legend: { top: 0, left: 0, itemWidth: 12, itemHeight: 12, textStyle: { color: theme.text, fontSize: 12 } },
     tooltip: tooltip(theme),
     xAxis: { type: 'value', min: 0, max: 100, axisLabel: { color: theme.muted, formatter: (v: number) => `${v} %` }, splitLine: { lineStyle: { color: theme.line } } },

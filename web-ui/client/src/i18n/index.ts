@@ -38,7 +38,7 @@ export function t(key: Key, values: Record<string, string | number> = {}): strin
 }
 
 /** Words for a name that comes from the data: translated when known, else the name with spaces. */
-export function named(group: 'kpi' | 'state' | 'cost' | 'bridge' | 'entity', name: string): string {
+export function named(group: 'kpi' | 'state' | 'cost' | 'bridge' | 'entity' | 'phase', name: string): string {
   const key = `${group}.${name}`;
   return key in en ? t(key as Key) : name.replace(/_/g, ' ');
 }

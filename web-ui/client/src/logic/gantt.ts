@@ -3,6 +3,8 @@
 export type Interval = [start: number, end: number, state: string];
 export interface TraceRow {
   name: string;
+  /** Edges in a machine, not states of one. */
+  tool?: boolean;
   intervals: Interval[];
 }
 export interface QueueSeries {
@@ -11,6 +13,8 @@ export interface QueueSeries {
   points: [number, number][];
 }
 export interface Trace {
+  /** Parts in the shop: [time in minutes, number from then on]; only parts that were finished are known. */
+  wip: [number, number][];
   queues: QueueSeries[];
   rows: TraceRow[];
   end: number;
@@ -22,7 +26,7 @@ export function readTrace(json: unknown): Trace {
   if (typeof json !== 'object' || json === null || Array.isArray(json)) throw new Error('the trace must be an object with "machines"');
   const rows: TraceRow[] = [];
   for (const [group, list] of Object.entries(json)) {
-    if (!Array.isArray(list) || group === 'queues') continue;
+    if (!Array.isArray(list) || group === 'queues' || group === 'edges' || group === 'parts') continue;
     list.forEach((entry: unknown, k) => {
       const e = entry as { name?: unknown; intervals?: unknown };
       if (typeof e?.name !== 'string' || !Array.isArray(e.intervals)) {
@@ -41,6 +45,7 @@ export function readTrace(json: unknown): Trace {
     });
   }
   if (rows.length === 0) throw new Error('the trace has no "machines" with intervals');
+  rows.push(...edgeRows((json as { edges?: unknown }).edges));
   const queues = new Map<string, [number, number][]>();
   const given = (json as { queues?: unknown }).queues;
   for (const entry of Array.isArray(given) ? (given as unknown[]) : []) {
@@ -50,7 +55,51 @@ export function readTrace(json: unknown): Trace {
     if (points) points.push([time, waiting]);
     else queues.set(name, [[time, waiting]]);
   }
-  return { queues: [...queues].map(([name, points]) => ({ name, points })), rows, end: Math.max(...rows.map((r) => r.intervals.at(-1)?.[1] ?? 0)), states: [...new Set(rows.flatMap((r) => r.intervals.map((i) => i[2])))] };
+  return { wip: partsInShop((json as { parts?: unknown }).parts), queues: [...queues].map(([name, points]) => ({ name, points })), rows, end: Math.max(...rows.map((r) => r.intervals.at(-1)?.[1] ?? 0)), states: [...new Set(rows.flatMap((r) => r.intervals.map((i) => i[2])))] };
+}
+
+/** "edges": [[tool, machine, taken_out_min, cutting_min, "planned" | "failed"], ...] as rows: each edge from the one before it to its own end. */
+export function edgeRows(edges: unknown): TraceRow[] {
+  const rows = new Map<string, TraceRow>();
+  (Array.isArray(edges) ? (edges as unknown[]) : []).forEach((entry, k) => {
+    const [tool, machine, at, , how] = Array.isArray(entry) ? (entry as unknown[]) : [];
+    if (typeof tool !== 'string' || typeof machine !== 'string' || typeof at !== 'number' || typeof how !== 'string') throw new Error(`/edges/${k}: must be [tool, machine, at_min, cutting_min, how]`);
+    const name = `${machine}: ${tool}`;
+    let row = rows.get(name);
+    if (!row) rows.set(name, (row = { name, tool: true, intervals: [] }));
+    const before = row.intervals.at(-1)?.[1] ?? 0;
+    // Teeth of one tool come out together: the first of them has the interval.
+    if (at > before) row.intervals.push([before, at, `edge_${how}`]);
+    else if (how === 'failed' && at === before) (row.intervals.at(-1) ?? [0, 0, ''])[2] = 'edge_failed';
+  });
+  return [...rows.values()];
+}
+
+/**
+ * "parts": [[name, arrived_min, finished_min], ...] as the number in the shop over time. Parts still under way at the end are not
+ * in a trace, so the series stops where they could be missing: the longest stay before the last finish.
+ */
+export function partsInShop(parts: unknown): [number, number][] {
+  const steps: [number, number][] = [];
+  let [last, longest] = [0, 0];
+  (Array.isArray(parts) ? (parts as unknown[]) : []).forEach((entry, k) => {
+    const [name, arrived, finished] = Array.isArray(entry) ? (entry as unknown[]) : [];
+    if (typeof name !== 'string' || typeof arrived !== 'number' || typeof finished !== 'number') throw new Error(`/parts/${k}: must be [name, arrived_min, finished_min]`);
+    steps.push([arrived, 1], [finished, -1]);
+    last = Math.max(last, finished);
+    longest = Math.max(longest, finished - arrived);
+  });
+  steps.sort((a, b) => a[0] - b[0]);
+  const series: [number, number][] = [];
+  let count = 0;
+  for (const [time, step] of steps) {
+    if (time > last - longest) break;
+    count += step;
+    const before = series.at(-1);
+    if (before && before[0] === time) before[1] = count;
+    else series.push([time, count]);
+  }
+  return series;
 }
 
 /** First interval that ends after `time` (binary search; intervals are in order). */
@@ -118,4 +167,29 @@ export function stateShares(row: TraceRow, from: number, to: number): Map<string
     shares.set(state, (shares.get(state) ?? 0) + (Math.min(end, to) - Math.max(start, from)) / (to - from));
   }
   return shares;
+}
+
+/**
+ * Shares of the time per state in each hour of the day, of the whole trace; hours that the trace does not reach are empty. Time 0
+ * is midnight.
+ */
+export function hourShares(row: TraceRow): Map<string, number>[] {
+  const hours = Array.from({ length: 24 }, () => new Map<string, number>());
+  const totals = new Array<number>(24).fill(0);
+  for (const [start, end, state] of row.intervals) {
+    // Whole days at once: a machine may stand for weeks.
+    const days = Math.floor((end - start) / 1440);
+    const add = (hour: number, minutes: number) => {
+      const slot = hours[hour] as Map<string, number>;
+      slot.set(state, (slot.get(state) ?? 0) + minutes);
+      totals[hour] = (totals[hour] ?? 0) + minutes;
+    };
+    if (days > 0) for (let hour = 0; hour < 24; ++hour) add(hour, 60 * days);
+    for (let at = start + days * 1440; at < end; ) {
+      const next = Math.min(end, (Math.floor(at / 60) + 1) * 60);
+      add(Math.floor(at / 60) % 24, next - at);
+      at = next;
+    }
+  }
+  return hours.map((slot, hour) => new Map([...slot].map(([state, minutes]) => [state, minutes / (totals[hour] ?? 1)])));
 }

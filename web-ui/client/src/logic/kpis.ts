@@ -44,16 +44,21 @@ export function entityKinds(kpis: readonly Kpi[]): string[] {
   return [...new Set(kpis.flatMap((k) => (k.name.split('/').length > 2 ? [k.name.slice(0, k.name.indexOf('/'))] : [])))];
 }
 
-/** KPIs below "tool/NAME/", "crew/NAME/" and so on, one entity per name. */
+/**
+ * KPIs below "tool/NAME/", "crew/NAME/" and so on, one entity per name. What stands deeper ("tool/NAME/edges/used") belongs to
+ * NAME as "edges/used" when NAME has indicators of its own.
+ */
 export function entities(kpis: readonly Kpi[], kind: string): Entity[] {
+  const owner = (path: string) => path.slice(0, path.lastIndexOf('/'));
+  const paths = kpis.flatMap((kpi) => (kpi.name.startsWith(`${kind}/`) && kpi.name.indexOf('/', kind.length + 1) > 0 ? [{ path: kpi.name.slice(kind.length + 1), kpi }] : []));
+  const names = new Set(paths.map((p) => owner(p.path)));
   const all = new Map<string, Entity>();
-  for (const kpi of kpis) {
-    const match = new RegExp(`^${kind}/(.+)/([^/]+)$`).exec(kpi.name);
-    if (!match) continue;
-    const name = match[1] ?? '';
+  for (const { path, kpi } of paths) {
+    let name = owner(path);
+    for (let up = name.lastIndexOf('/'); up > 0; up = name.lastIndexOf('/', up - 1)) if (names.has(name.slice(0, up))) name = name.slice(0, up);
     let e = all.get(name);
     if (!e) all.set(name, (e = { name, kpis: [] }));
-    e.kpis.push({ key: match[2] ?? '', kpi });
+    e.kpis.push({ key: path.slice(name.length + 1), kpi });
   }
   return [...all.values()];
 }

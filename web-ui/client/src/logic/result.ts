@@ -14,7 +14,7 @@ export interface Block {
 }
 
 /** What the study page shows in its own way. */
-const known = new Set(['objective', 'unit', 'baseline', 'best', 'evaluations', 'saving', 'verdict', 'words', 'currency', 'direction', 'plan']);
+const known = new Set(['objective', 'unit', 'baseline', 'best', 'evaluations', 'saving', 'verdict', 'words', 'currency', 'direction', 'plan', 'study', 'baseline_run', 'best_run', 'id', 'name', 'binding', 'one_cut', 'sensitivity', 'losses', 'front']);
 
 type ObjectValue = Record<string, unknown>;
 const isObject = (v: unknown): v is ObjectValue => typeof v === 'object' && v !== null && !Array.isArray(v);
@@ -59,31 +59,4 @@ export function blocks(result: Study['result']): Block[] {
   }
   if (facts.length > 0) all.unshift({ name: '', columns: [], rows: [], facts });
   return all;
-}
-
-/** A front of several objectives, wherever the answer keeps it: {"front": {"points": [{"objectives": [...]}], "knee": k}}. */
-export function frontOf(result: Study['result']): { points: { objectives: number[]; knee: boolean }[]; names: string[] } | null {
-  const front = result['front'] ?? result['pareto'];
-  const list = Array.isArray(front) ? front : isObject(front) && Array.isArray(front['points']) ? front['points'] : undefined;
-  if (!list) return null;
-  const knee = isObject(front) && typeof front['knee'] === 'number' ? front['knee'] : -1;
-  let names: string[] = [];
-  const points = list.flatMap((p: unknown, k) => {
-    if (!isObject(p)) return [];
-    const given = p['objectives'];
-    let objectives: number[] = [];
-    if (Array.isArray(given)) {
-      objectives = given.flatMap((o: unknown) => {
-        const value = isObject(o) ? (o['value'] ?? o['mean']) : o;
-        return typeof value === 'number' ? [value] : [];
-      });
-      if (given.every((o) => isObject(o) && (typeof o['kpi'] === 'string' || typeof o['name'] === 'string'))) names = (given as ObjectValue[]).map((o) => String(o['kpi'] ?? o['name']));
-    } else if (isObject(given)) {
-      objectives = Object.values(given).filter((v): v is number => typeof v === 'number');
-      names = Object.keys(given);
-    }
-    return objectives.length >= 2 ? [{ objectives, knee: k === knee || p['knee'] === true }] : [];
-  });
-  if (isObject(front) && names.length === 0 && Array.isArray(front['objectives'])) names = front['objectives'].map((o: unknown) => (isObject(o) ? String(o['kpi'] ?? o['name'] ?? '') : String(o)));
-  return points.length > 1 ? { points, names } : null;
 }

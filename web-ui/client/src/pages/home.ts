@@ -155,7 +155,7 @@ export const homePage: PageMaker = async (context) => {
     reload();
     void api.studies({ ...studyQuery }, context.signal).then(showStudies, () => undefined);
   });
-  const latest = studies.studies.find((s) => s.status === 'finished');
+  const latest = studies.studies.find((s) => s.status === 'finished' && s.kind === 'optimize');
   const report = latest ? await api.study(String(latest.id), context.signal) : undefined;
   return {
     title: t('home.title'),

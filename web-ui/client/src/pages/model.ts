@@ -102,7 +102,7 @@ function mapSection(context: PageContext, f: ModelFunction, inputsNow: () => Rec
       note.textContent = t('map.bad');
       return;
     }
-    note.textContent = t('state.loading');
+    note.textContent = t('page.loading');
     const xs = spread(from, to, second ? mapPoints : curvePoints, field.kind === 'integer');
     const about = second ? sliderRange(second, valueOf(second.name)) : { low: 0, high: 0 };
     const ys = second ? spread(about.low, about.high, mapPoints, second.kind === 'integer') : [];

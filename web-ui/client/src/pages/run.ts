@@ -15,6 +15,7 @@ import { roundKeepingSum } from '../logic/shares';
 import { annotationEditor, changeList, command, downloadButton, section, type PageContext, type PageMaker } from '../page';
 import type { Job, Kpi, Run } from '../types';
 import { jobPanel } from '../ui/job';
+import { consumptionSection, flowSection, groupingSection, leadTimeSection, lossSection, oeeFormulas, sankeySection, unattendedSection } from './runParts';
 
 function tile(id: string, label: string, kpi: Kpi | undefined, unit: string, scale: number, below: Child): HTMLElement | null {
   if (!kpi) return null;
@@ -66,7 +67,7 @@ function timeSection(context: PageContext, run: Run): HTMLElement {
     percent: roundKeepingSum(states.map((state) => 100 * (m.states.find((s) => s.state === state)?.kpi.mean ?? 0)), 1),
   }));
   const label = rows.map((r) => `${r.machine}: ${states.map((s, k) => `${named('state', s)} ${fixed(r.percent[k] ?? 0, 1)} %`).join(', ')}`).join('; ');
-  const bars = chart(context, label, rows.length > 6 ? 'tall' : rows.length > 3 ? 'medium' : 'short', (theme) => timeBars(states.map((s) => named('state', s)), rows, theme, states), { name: t('run.time'), data: () => [[t('col.machine'), ...states], ...machines.map((m) => [m.machine, ...states.map((st) => m.states.find((x) => x.state === st)?.kpi.mean ?? 0)])] });
+  const bars = chart(context, label, rows.length > 6 || (rows.length > 3 && states.length > 8) ? 'tall' : rows.length > 3 || states.length > 8 ? 'medium' : 'short', (theme) => timeBars(states.map((s) => named('state', s)), rows, theme, states), { name: t('run.time'), data: () => [[t('col.machine'), ...states], ...machines.map((m) => [m.machine, ...states.map((st) => m.states.find((x) => x.state === st)?.kpi.mean ?? 0)])] });
   return section(
     t('run.time'),
     t('run.timeUnit'),
@@ -83,7 +84,8 @@ function timeSection(context: PageContext, run: Run): HTMLElement {
   );
 }
 
-const shareKeys = new Set(['insert_cycle_availability', 'waiting_crew_share', 'failure_share', 'utilization', 'availability']);
+/** Shares are printed in percent. */
+const isShare = (key: string, kpi: Kpi | undefined) => (kpi === undefined || kpi.unit === '1') && /(_share|_ratio|_rate|utilization|availability|effectiveness|oee)$|^state\//.test(key);
 
 /** One table for the tools, the crews, or whatever else the run has indicators of. */
 function entitySection(run: Run, kind: string, head: string): HTMLElement {
@@ -103,10 +105,10 @@ function entitySection(run: Run, kind: string, head: string): HTMLElement {
           raw: (key: string) => tool.kpis.find((k) => k.key === key)?.kpi.mean,
           cell: (key: string) => {
             const kpi = tool.kpis.find((k) => k.key === key)?.kpi;
-            return kpi ? h('span', { title: kpi.meaning }, estimateText(kpi.mean, kpi.half_width_95, shareKeys.has(key) ? 100 : 1)) : '–';
+            return kpi ? h('span', { title: kpi.meaning }, estimateText(kpi.mean, kpi.half_width_95, isShare(key, kpi) ? 100 : 1)) : '–';
           },
         })),
-        { head: t('col.unit'), cell: (key: string) => h('span', { class: 'unit' }, shareKeys.has(key) ? '%' : unitText(tools[0]?.kpis.find((k) => k.key === key)?.kpi.unit ?? '')) },
+        { head: t('col.unit'), cell: (key: string) => h('span', { class: 'unit' }, isShare(key, tools.flatMap((e) => e.kpis).find((k) => k.key === key)?.kpi) ? '%' : unitText(tools.flatMap((e) => e.kpis).find((k) => k.key === key)?.kpi.unit ?? '')) },
       ],
       keys,
     ),
@@ -138,17 +140,18 @@ function oeeSection(context: PageContext, run: Run): HTMLElement | null {
     table<OeeRow>('OEE', [
       { head: t('col.name'), rowHead: true, cell: (r) => r.name },
       ...oeeFactors(),
-      { head: 'OEE', unit: '%', number: true, cell: (r) => h('span', { title: 'OEE = availability · effectiveness · quality ratio (ISO 22400-2)' }, fixed(100 * r.oee, 1)), raw: (r) => 100 * r.oee },
+      { head: 'OEE', unit: '%', number: true, cell: (r) => h('span', { title: t('oee.formula.oee') }, fixed(100 * r.oee, 1)), raw: (r) => 100 * r.oee },
       ...parts.slice(1).map(([name, f]) => ({ head: name, unit: '%', number: true, cell: (r: OeeRow) => fixed(100 * f(r), 1), raw: (r: OeeRow) => 100 * f(r) })),
     ], rows),
+    oeeFormulas(),
   );
 }
 function oeeFactors() {
   return (['availability', 'effectiveness', 'quality'] as const).map((factor) => ({
-    head: t(`oee.factor.${factor}`),
+    head: h('span', { title: t(`oee.formula.${factor}`) }, t(`oee.factor.${factor}`)),
     unit: '%',
     number: true,
-    cell: (r: OeeRow) => h('span', { title: r.kpis[factor]?.meaning ?? '' }, fixed(100 * r[factor], 1)),
+    cell: (r: OeeRow) => h('span', { title: t(`oee.formula.${factor}`) }, fixed(100 * r[factor], 1)),
     raw: (r: OeeRow) => 100 * r[factor],
   }));
 }
@@ -260,9 +263,15 @@ export const runPage: PageMaker = async (context, [id = '']) => {
       annotationEditor('runs', run.id, run, version.read_only),
       tiles(run),
       h('div', { class: 'columns' }, timeSection(context, run), toolSection(run)),
+      flowSection(run),
       costSection(context, run),
+      lossSection(context, run, version.read_only),
       oeeSection(context, run),
-      entityKinds(run.kpis).filter((kind) => kind !== 'tool' && kind !== 'machine' && kind !== 'cost').map((kind) => entitySection(run, kind, named('entity', kind))),
+      groupingSection(context, run),
+      leadTimeSection(context, run),
+      sankeySection(context, run),
+      h('div', { class: 'columns even' }, consumptionSection(context, run), unattendedSection(run)),
+      entityKinds(run.kpis).filter((kind) => kind !== 'tool' && kind !== 'machine' && kind !== 'cost' && kind !== 'insert').map((kind) => entitySection(run, kind, named('entity', kind))),
       allSection(run),
     ),
   };

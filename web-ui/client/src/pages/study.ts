@@ -2,16 +2,17 @@
 
 import { api } from '../api';
 import { chart } from '../charts/chart';
-import { frontOption, parallelOption, sliceOption } from '../charts/studyViews';
+import { parallelOption, sliceOption } from '../charts/studyViews';
 import { historyOption, planeOption } from '../charts/trials';
 import { fragment, h, table, type Child } from '../dom';
 import { dateTime, estimateText, fixed, significant, unitText, whole } from '../format';
 import { language, named, t } from '../i18n';
-import { blocks, frontOf, type Block } from '../logic/result';
+import { blocks, type Block } from '../logic/result';
 import { title } from '../logic/schema';
 import { distinctPlans, type Sign } from '../logic/trials';
 import { annotationEditor, changeList, downloadButton, section, type PageContext, type PageMaker } from '../page';
 import type { PlanPoint, Study, Trial } from '../types';
+import { bindingSection, frontSection, lossSection, oneCutSection, resumeSection, tornadoSection } from './studyParts';
 
 /** What the study found in a sentence: the program's own words, or their translation from the same numbers. */
 export function findingWords(study: Pick<Study, 'result'>): string {
@@ -205,13 +206,6 @@ function blockSections(study: Study): Child {
   );
 }
 
-function frontSection(context: PageContext, study: Study): HTMLElement | null {
-  const front = frontOf(study.result);
-  if (!front) return null;
-  const names = front.names.map((n) => named('kpi', n));
-  return section(t('study.front'), '', chart(context, t('study.front'), 'large', (theme) => frontOption(front.points, names, theme), { name: t('study.front'), data: () => [front.names, ...front.points.map((p) => p.objectives)] }).element);
-}
-
 /** A plan as a scenario to go on with: the study's scenario lies with its runs. */
 function continueLink(study: Study): Child {
   return study.best_run === null ? null : h('a', { href: `#/scenario/run/${study.best_run}`, class: 'button' }, t('study.continue'));
@@ -222,6 +216,7 @@ const often = 2000;
 export const studyPage: PageMaker = async (context, [id = '']) => {
   const [study, version] = await Promise.all([api.study(id, context.signal), api.version(context.signal)]);
   const sample = await api.trials(id, `sample=${mostDrawn}&best=${signOf(study) === 1 ? 'low' : 'high'}`, context.signal);
+  const today = study.result['front'] && study.baseline_run !== null ? await api.run(String(study.baseline_run), false, context.signal) : null;
   const changes = changeList(study.changes);
   const trials: Trials = { total: sample.total, list: sample.trials };
   const redraws: (() => void)[] = [];
@@ -263,11 +258,16 @@ export const studyPage: PageMaker = async (context, [id = '']) => {
       changes.length > 0 ? h('p', { class: 'facts' }, `${t('run.changes')}: `, changes.map((c, k) => [k > 0 ? ', ' : '', h('code', {}, `${c.pointer} = ${c.value}`)])) : null,
       study.status === 'running' ? live : null,
       study.result.words ? h('p', { class: `panel finding words ${study.result.verdict ?? ''}`, id: 'finding' }, findingWords(study)) : null,
-      h('p', { class: 'row no-print' }, continueLink(study), h('a', { href: `#/report/${study.id}` }, t('report.title')), study.best_run !== null ? h('a', { href: `#/sheet/${study.best_run}` }, t('sheet.title')) : null),
+      resumeSection(context, study, version.read_only),
+      h('p', { class: 'row no-print' }, continueLink(study), study.kind === 'optimize' ? h('a', { href: `#/report/${study.id}` }, t('report.title')) : null, study.best_run !== null ? h('a', { href: `#/sheet/${study.best_run}` }, t('sheet.title')) : null),
       annotationEditor('studies', study.id, study, version.read_only),
-      h('div', { class: 'columns' }, pointSection(study), study.variables.length > 0 && trials.total > 0 ? planeSection(context, study, trials, redraws) : null),
-      frontSection(context, study),
-      trials.total === 0 && study.status !== 'running' ? section(t('study.history'), '', h('p', {}, t('study.noTrials'))) : trialSections(context, study, trials, redraws),
+      study.kind === 'optimize' ? h('div', { class: 'columns' }, pointSection(study), study.variables.length > 0 && trials.total > 0 ? planeSection(context, study, trials, redraws) : null) : null,
+      bindingSection(study),
+      oneCutSection(study),
+      frontSection(context, study, today?.kpis ?? []),
+      tornadoSection(context, study),
+      lossSection(context, study),
+      study.kind === 'losses' || study.kind === 'compare' ? null : trials.total === 0 && study.status !== 'running' ? section(t('study.history'), '', h('p', {}, t('study.noTrials'))) : trialSections(context, study, trials, redraws),
       blockSections(study),
     ),
   };

@@ -3,11 +3,13 @@
 import { api, ApiError } from '../api';
 import { chart } from '../charts/chart';
 import { queueOption } from '../charts/queues';
+import { timeBars } from '../charts/timeBars';
 import { colourOf, currentTheme } from '../charts/theme';
 import { fragment, h, table } from '../dom';
 import { fixed, significant } from '../format';
 import { named, t } from '../i18n';
-import { bars, readTrace, stateShares, type Trace, type TraceRow } from '../logic/gantt';
+import { roundKeepingSum } from '../logic/shares';
+import { bars, hourShares, readTrace, stateShares, type Trace, type TraceRow } from '../logic/gantt';
 import { section, type PageContext, type PageMaker } from '../page';
 import { jobPanel } from '../ui/job';
 import { saveMenu } from '../ui/save';
@@ -106,8 +108,8 @@ function gantt(context: PageContext, trace: Trace, name: string): DocumentFragme
     shares.replaceChildren(
       table<TraceRow>(t('trace.shares'), [
         { head: t('col.name'), rowHead: true, cell: (r) => r.name },
-        ...trace.states.map((state) => ({ head: fragment(swatch(colour(state)), named('state', state)), unit: '%', number: true, cell: (r: TraceRow) => fixed(100 * (stateShares(r, from, to).get(state) ?? 0), 1), raw: (r: TraceRow) => 100 * (stateShares(r, from, to).get(state) ?? 0) })),
-      ], trace.rows),
+        ...trace.states.filter((state) => !state.startsWith('edge_')).map((state) => ({ head: fragment(swatch(colour(state)), named('state', state)), unit: '%', number: true, cell: (r: TraceRow) => fixed(100 * (stateShares(r, from, to).get(state) ?? 0), 1), raw: (r: TraceRow) => 100 * (stateShares(r, from, to).get(state) ?? 0) })),
+      ], trace.rows.filter((r) => !r.tool)),
     );
   };
   const show = (a: number, b: number) => {
@@ -155,7 +157,9 @@ function gantt(context: PageContext, trace: Trace, name: string): DocumentFragme
       saveMenu(name, [{ label: 'PNG', file: 'gantt.png', content: () => new Promise<Blob>((resolve) => canvas.toBlob((b) => resolve(b ?? new Blob()))) }, { label: 'JSON', file: 'trace.json', content: () => new Blob([JSON.stringify({ machines: trace.rows })], { type: 'application/json' }) }]),
     ),
     section(t('trace.shares'), '%', shares),
+    hourSection(context, trace),
     queueSection(context, trace),
+    wipSection(context, trace),
   );
 }
 
@@ -166,6 +170,43 @@ function queueSection(context: PageContext, trace: Trace): HTMLElement | null {
   const picture = chart({ ...context, whenShown: (d) => drawers.push(d) }, t('trace.queues'), 'large', (theme) => queueOption(trace.queues, trace.end, theme), { name: t('trace.queues'), data: () => [['machine', 'min', 'waiting'], ...trace.queues.flatMap((q) => q.points.map(([time, n]) => [q.name, time, n]))] });
   requestAnimationFrame(() => drawers.forEach((d) => d()));
   return section(t('trace.queues'), '', picture.element);
+}
+
+/** What a machine does at each hour of the day, over the whole trace. */
+function hourSection(context: PageContext, trace: Trace): HTMLElement | null {
+  const rows = trace.rows.filter((r) => !r.tool);
+  if (rows.length === 0 || trace.end < 1440) return null;
+  const drawers: (() => void)[] = [];
+  let row = rows[0] as TraceRow;
+  const states = () => [...new Set(row.intervals.map((i) => i[2]))];
+  const hours = () => {
+    const shares = hourShares(row);
+    return shares.map((s, hour) => ({ machine: `${String(hour).padStart(2, '0')}:00`, percent: roundKeepingSum(states().map((state) => 100 * (s.get(state) ?? 0)), 1) }));
+  };
+  const shown = h('div');
+  const picture = chart({ ...context, whenShown: (d) => drawers.push(d) }, t('trace.hours'), 'hours', (theme) => timeBars(states().map((s) => named('state', s)), hours(), theme, states()), { name: t('trace.hours'), data: () => [['hour', ...states()], ...hours().map((x) => [x.machine, ...x.percent])] });
+  const fill = () => {
+    const keys = states();
+    const list = hours();
+    shown.replaceChildren(table<(typeof list)[number]>(t('trace.hours'), [
+      { head: t('trace.hour'), rowHead: true, cell: (x) => x.machine },
+      ...keys.map((state, k) => ({ head: named('state', state), unit: '%', number: true, cell: (x: (typeof list)[number]) => fixed(x.percent[k] ?? 0, 1), raw: (x: (typeof list)[number]) => x.percent[k] })),
+    ], list));
+  };
+  const pick = h('select', { id: 'hours-machine', onchange: () => { row = rows[Number(pick.value)] ?? row; picture.redraw(); fill(); } }, rows.map((r, k) => h('option', { value: k }, r.name)));
+  fill();
+  requestAnimationFrame(() => drawers.forEach((d) => d()));
+  return section(t('trace.hours'), '%', h('p', { class: 'row no-print' }, h('label', { for: 'hours-machine' }, t('col.machine')), pick), picture.element, h('details', { id: 'hours-table' }, h('summary', {}, t('trace.asTable')), shown));
+}
+
+/** How many parts are in the shop. */
+function wipSection(context: PageContext, trace: Trace): HTMLElement | null {
+  if (trace.wip.length === 0) return null;
+  const drawers: (() => void)[] = [];
+  const end = trace.wip.at(-1)?.[0] ?? trace.end;
+  const picture = chart({ ...context, whenShown: (d) => drawers.push(d) }, t('trace.wip'), 'large', (theme) => queueOption([{ name: t('trace.wip'), points: trace.wip }], end, theme, t('trace.parts')), { name: t('trace.wip'), data: () => [['min', 'parts'], ...trace.wip] });
+  requestAnimationFrame(() => drawers.forEach((d) => d()));
+  return section(t('trace.wip'), '', picture.element, h('p', { class: 'muted' }, t('trace.wipHint')));
 }
 
 function swatch(colour: string): HTMLElement {
