@@ -16,6 +16,7 @@
 #include "models/catalogue/closest.h"
 #include "models/catalogue/error.h"
 #include "optimize/ledger.h"
+#include "sim/kernel/errors.h"
 #include "store/database.h"
 
 namespace verstat::app {
@@ -201,6 +202,8 @@ int run_program(int argc, char** argv) {
   } catch (const InputError& e) {
     return report(e.what(), bad_input);
   } catch (const models::ModelError& e) {
+    return report(e.what(), bad_input);
+  } catch (const sim::BudgetError& e) {
     return report(e.what(), bad_input);
   } catch (const optimize::Interrupted& e) {
     return report(fmt::format("ended early: {}", e.what()), ExitCode::interrupted);

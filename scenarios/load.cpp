@@ -170,6 +170,7 @@ void check_each(const std::vector<T>& all, const std::string& list, Check&& chec
 }
 
 void check_whole(const Scenario& s) {
+  check_size(s);
   check_names(names_of(s.inserts), "/inserts");
   check_names(names_of(s.tools), "/tools");
   check_names(names_of(s.calendars), "/calendars");
