@@ -8,6 +8,7 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include "store/schema.h"
@@ -121,9 +122,31 @@ class Writer::Lock {
   }
   void give_back() noexcept { ::flock(descriptor_, LOCK_UN); }
 
+  /// The database is open: from now on it must stay the file that its name leads to.
+  void remember_database() {
+    struct stat found {};
+    if (::stat(database_.c_str(), &found) != 0) found = {};
+    device_ = found.st_dev;
+    inode_ = found.st_ino;
+    remembered_ = true;
+  }
+  /// SQLite goes on writing into a file that was deleted, and all of it is lost in silence.
+  void check_database() const {
+    if (!remembered_) return;
+    struct stat found {};
+    if (::stat(database_.c_str(), &found) == 0 && found.st_dev == device_ && found.st_ino == inode_) return;
+    throw StoreError(fmt::format(
+        "database {}: was deleted, moved or replaced while it was written to; what was stored since "
+        "is lost: run the command again",
+        database_.string()));
+  }
+
  private:
   std::filesystem::path database_;
   int descriptor_ = -1;
+  bool remembered_ = false;
+  dev_t device_ = 0;
+  ino_t inode_ = 0;
 };
 
 // Runs `body` as the only writer, and names the file in whatever goes wrong.
@@ -137,6 +160,16 @@ auto Writer::alone(Body&& body) const {
     Lock& lock;
   };
   const Held held(*lock_);
+  lock_->check_database();
+  // Looked at again afterwards, on the way out, when nothing else went wrong.
+  struct Still {
+    const Lock& lock;
+    int errors = std::uncaught_exceptions();
+    ~Still() noexcept(false) {
+      if (std::uncaught_exceptions() == errors) lock.check_database();
+    }
+  };
+  const Still still{*lock_};
   return naming(file_, std::forward<Body>(body));
 }
 
@@ -144,6 +177,7 @@ Writer::Writer(const std::filesystem::path& file) : file_(file), lock_(std::make
   alone([&] {
     db_ = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
                                              busy_timeout_ms);
+    lock_->remember_database();
     db_->exec("PRAGMA journal_mode = WAL");
     db_->exec("PRAGMA journal_size_limit = 67108864");
     set_durable(true);
