@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include "store/schema.h"
@@ -352,13 +353,39 @@ void Writer::finish_study(std::int64_t study, std::optional<std::int64_t> baseli
   });
 }
 
+namespace {
+
+// Readers of a database in WAL mode share memory through a file beside it, which a read-only disk refuses.
+// Nobody can change a file there either: SQLite may read it as one that never changes. Not when a log was
+// left beside it, that holds commits which would not be seen.
+bool on_read_only_disk(const std::filesystem::path& file) {
+  struct statvfs disk {};
+  std::error_code error;
+  const std::uintmax_t log_bytes = std::filesystem::file_size(file.string() + "-wal", error);
+  return ::statvfs(file.c_str(), &disk) == 0 && (disk.f_flag & ST_RDONLY) != 0 && (error || log_bytes == 0);
+}
+
+std::string unchanging(const std::filesystem::path& file) {
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(file).string())
+    uri += c == '?' || c == '#' || c == '%' ? fmt::format("%{:02x}", static_cast<unsigned char>(c))
+                                            : std::string(1, c);
+  return uri + "?immutable=1";
+}
+
+}  // namespace
+
 Reader::Reader(const std::filesystem::path& file) : file_(file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error))
     throw StoreError(fmt::format("database {} does not exist; `verstat run SCENARIO --db {}` makes one",
                                  file.string(), file.string()));
   naming(file_, [&] {
-    db_ = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
+    if (on_read_only_disk(file)) {
+      db_ = std::make_unique<SQLite::Database>(unchanging(file), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+    } else {
+      db_ = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
+    }
     db_->exec("PRAGMA wal_autocheckpoint = 0");
     const int version = db_->execAndGet("PRAGMA user_version").getInt();
     if (version != schema_version)

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -509,6 +510,8 @@ void Shop::simulate_until(double time_min) {
       std::rethrow_if_nested(e);
     } catch (const sim::BudgetError&) {  // thrown by a process: what it says stands with time and name
       throw sim::BudgetError(fmt::format("replication {}: {}", replication_, e.what()));
+    } catch (const std::bad_alloc&) {  // whoever runs the shop has words for it
+      throw;
     } catch (...) {
     }
     throw;

@@ -95,6 +95,7 @@ TEST_CASE("a migration killed at random moments: the old file or the new one, an
   const std::string quick =
       "run scenarios/gallery/heavy-lathe.json --set /simulation/horizon_min=11000 --replications 2 --threads "
       "1 --db ";
+  const int first_new_run = 3;  // the sample holds only a few values of its two runs
   double whole_s = 0;
   std::uint64_t hit = 0;
   for (std::uint64_t k = 0; k <= kills; ++k) {
@@ -106,12 +107,12 @@ TEST_CASE("a migration killed at random moments: the old file or the new one, an
     } else {
       hit += kill_within(quick + db, whole_s, moments) ? 1 : 0;
     }
-    REQUIRE(state_of(db) == "ok");
+    REQUIRE(state_of(db, first_new_run) == "ok");
     const std::int64_t version = SQLite::Database(db).execAndGet("PRAGMA user_version").getInt64();
     CHECK((version == 1 || version == 2));
     if (version == 2) CHECK(fs::exists(db + ".schema1.bak"));
     REQUIRE(ended(start(quick + db)) == 0);  // whatever there was, it goes on
-    REQUIRE(state_of(db) == "ok");
+    REQUIRE(state_of(db, first_new_run) == "ok");
     REQUIRE(fs::exists(db + ".schema1.bak"));
     CHECK(SQLite::Database(db + ".schema1.bak").execAndGet("PRAGMA user_version").getInt() == 1);
     CHECK(SQLite::Database(db + ".schema1.bak").execAndGet("SELECT count(*) FROM trial").getInt() == 4);

@@ -33,19 +33,23 @@ inline int ended(pid_t child) {
   return WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
 }
 
-/// "ok", or what is wrong with the file: pages, foreign keys, runs that are not whole.
-inline std::string state_of(const std::string& file) {
+/// "ok", or what is wrong with the file: pages, foreign keys, and from `first_run` on runs that are not
+/// whole.
+inline std::string state_of(const std::string& file, int first_run = 1) {
   SQLite::Database db(file, SQLite::OPEN_READWRITE, 60'000);
   const std::string pages = db.execAndGet("PRAGMA integrity_check").getString();
   if (pages != "ok") return pages;
   if (SQLite::Statement(db, "PRAGMA foreign_key_check").executeStep()) return "a foreign key leads nowhere";
   if (db.execAndGet("SELECT count(*) FROM sqlite_master WHERE name = 'run'").getInt() == 0) return "ok";
   // Every replication of a run has left as many values as its KPIs have samples.
-  const int torn = db.execAndGet(
-                         "SELECT count(*) FROM run WHERE (SELECT sum(samples) FROM run_kpi WHERE "
-                         "run_id = run.id) IS NOT (SELECT count(*) FROM replication_kpi WHERE "
-                         "run_id = run.id AND value IS NOT NULL)")
-                       .getInt();
+  SQLite::Statement whole(
+      db,
+      "SELECT count(*) FROM run WHERE id >= ? AND (SELECT sum(samples) FROM run_kpi WHERE "
+      "run_id = run.id) IS NOT (SELECT count(*) FROM replication_kpi WHERE "
+      "run_id = run.id AND value IS NOT NULL)");
+  whole.bind(1, first_run);
+  whole.executeStep();
+  const int torn = whole.getColumn(0).getInt();
   return torn == 0 ? "ok" : std::to_string(torn) + " runs are not whole";
 }
 

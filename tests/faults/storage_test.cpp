@@ -79,6 +79,7 @@ TEST_CASE("disk full: what was committed stays, the message says so, room brings
   CHECK_THAT(study.err, Catch::Contains(db));
   CHECK(call("runs --json --run 1 --all-replications --db " + db).out == before);
   fs::remove(disk.file("filler"));
+  REQUIRE(::mount("tmpfs", w.file("disk").c_str(), "tmpfs", MS_REMOUNT, "size=8m") == 0);
   CHECK(state_of(db) == "ok");
   REQUIRE(call(lathe(4, db)).exit_code == 0);
   CHECK(state_of(db) == "ok");
@@ -124,6 +125,13 @@ TEST_CASE("a database deleted or replaced underneath a study ends it in words") 
     CHECK(ended(child) == 1);
     CHECK_THAT(read_file(w.file("said")), Catch::Contains("was deleted, moved or replaced"));
   }
+}
+
+TEST_CASE("a new database leaves nothing beside it") {
+  const Workspace w;
+  REQUIRE(call(lathe(4, w.file("a.db"))).exit_code == 0);
+  for (const auto& entry : fs::directory_iterator(fs::path(w.file("a.db")).parent_path()))
+    CHECK((entry.path().filename() == "a.db" || entry.path().filename() == "a.db.lock"));
 }
 
 TEST_CASE("a database that another program holds is waited for, then said") {

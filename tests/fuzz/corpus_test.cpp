@@ -1,13 +1,14 @@
 // Past findings and fresh variations of honest inputs at every door.
 //   VERSTAT_FUZZ_TARGET=model VERSTAT_FUZZ_RUNS=10000000 VERSTAT_FUZZ_SEED=3 test_fuzz
-// does more of it; the input that is being eaten stands in the file VERSTAT_FUZZ_INPUT, when one is named.
+// does more of it. Whatever ends the program shows the input that did it.
 #include <algorithm>
 #include <chrono>
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
 #include <catch2/catch.hpp>
+#include <unistd.h>
 
 #include "scenarios/json_text.h"
 #include "tests/fuzz/targets.h"
@@ -20,6 +21,14 @@ namespace {
 std::string setting(const char* name, const std::string& otherwise) {
   const char* const text = std::getenv(name);
   return text == nullptr ? otherwise : text;
+}
+
+const std::string* eaten = nullptr;
+
+void show_input(int signal) {
+  if (eaten != nullptr) (void)!::write(STDERR_FILENO, eaten->data(), eaten->size());
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
 }
 
 }  // namespace
@@ -43,7 +52,8 @@ TEST_CASE("variations of honest inputs are taken or refused in words", "[mutatio
   const std::uint64_t runs = std::stoull(setting("VERSTAT_FUZZ_RUNS", "1500"));
   const std::uint64_t seed = std::stoull(setting("VERSTAT_FUZZ_SEED", "1"));
   const double most_s = std::stod(setting("VERSTAT_FUZZ_SECONDS", "1e9"));
-  const std::string input_file = setting("VERSTAT_FUZZ_INPUT", "");
+  std::signal(SIGABRT, show_input);
+  std::signal(SIGSEGV, show_input);
   for (const Target& one : targets()) {
     if (!only.empty() && one.name != only) continue;
     const std::vector<std::string> seeds = one.seeds();
@@ -56,7 +66,7 @@ TEST_CASE("variations of honest inputs are taken or refused in words", "[mutatio
       const std::uint64_t dice = seed * 1'000'000'007U + k;
       std::string text = mutated(seeds[dice % seeds.size()], one.json, dice);
       if (dice % 3 == 0) text = mutated(text, one.json, ~dice);
-      if (!input_file.empty()) std::ofstream(input_file, std::ios::binary) << text;
+      eaten = &text;
       const auto before = std::chrono::steady_clock::now();
       try {
         one.eat(text);
