@@ -141,9 +141,16 @@ void exit_with(int code) {
 
 namespace {
 
+// Errors repeat names from files of strangers: on a terminal, control characters would do as they please.
+std::string harmless(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  return text;
+}
+
 int report(const std::string& text, ExitCode code) {
   const bool colour = isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-  fmt::print(stderr, "{}error:{} {}\n", colour ? "\033[31m" : "", colour ? "\033[0m" : "", text);
+  fmt::print(stderr, "{}error:{} {}\n", colour ? "\033[31m" : "", colour ? "\033[0m" : "", harmless(text));
   return code;
 }
 

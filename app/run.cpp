@@ -19,8 +19,8 @@ namespace {
 [[noreturn]] void report_broken_laws(const std::vector<std::string>& laws) {
   constexpr std::size_t shown = 20;
   std::string text = fmt::format("{} laws of conservation do not hold, nothing was stored:", laws.size());
-  for (std::size_t k = 0; k < std::min(laws.size(), shown); ++k) text += "\n  " + laws[k];
-  if (laws.size() > shown) text += fmt::format("\n  and {} more", laws.size() - shown);
+  for (std::size_t k = 0; k < std::min(laws.size(), shown); ++k) text += (k == 0 ? " " : "; ") + laws[k];
+  if (laws.size() > shown) text += fmt::format("; and {} more", laws.size() - shown);
   throw std::runtime_error(text);
 }
 

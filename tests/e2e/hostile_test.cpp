@@ -232,6 +232,15 @@ TEST_CASE("events in the past") {
   check_refused(shop, "/machines/0/loading/value_min = -1");
 }
 
+TEST_CASE("names that would play with the terminal are shown without their control characters") {
+  json shop = plain_shop();
+  shop["parts"][0]["store"] = "\x1b[2Jout\nerror: all is well";
+  check_refused(shop, "[2Jout error: all is well");
+  const Answer a = verstat::test::call("$(printf 'r\\033[1mn')");
+  CHECK(a.exit_code == 2);
+  CHECK(a.err.find('\x1b') == std::string::npos);
+}
+
 TEST_CASE("more values than memory holds") {
   json shop = plain_shop();
   shop["machines"][0]["count"] = 10'000;
