@@ -18,6 +18,7 @@
 #include "models/catalogue/closest.h"
 #include "models/catalogue/error.h"
 #include "optimize/ledger.h"
+#include "sim/kernel/errors.h"
 #include "store/database.h"
 
 namespace verstat::app {
@@ -143,9 +144,16 @@ void exit_with(int code) {
 
 namespace {
 
+// Errors repeat names from files of strangers: on a terminal, control characters would do as they please.
+std::string harmless(std::string text) {
+  for (char& c : text)
+    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
+  return text;
+}
+
 int report(const std::string& text, ExitCode code) {
   const bool colour = isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
-  fmt::print(stderr, "{}error:{} {}\n", colour ? "\033[31m" : "", colour ? "\033[0m" : "", text);
+  fmt::print(stderr, "{}error:{} {}\n", colour ? "\033[31m" : "", colour ? "\033[0m" : "", harmless(text));
   return code;
 }
 
@@ -204,6 +212,8 @@ int run_program(int argc, char** argv) {
   } catch (const InputError& e) {
     return report(e.what(), bad_input);
   } catch (const models::ModelError& e) {
+    return report(e.what(), bad_input);
+  } catch (const sim::BudgetError& e) {
     return report(e.what(), bad_input);
   } catch (const optimize::Interrupted& e) {
     return report(fmt::format("ended early: {}", e.what()), ExitCode::interrupted);

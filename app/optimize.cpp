@@ -217,7 +217,7 @@ int optimize_study(OptimizeOptions& options) {
           optimize::confirmation_changes(study, p->loaded.scenario.simulation.seed.value);
       made.insert(made.end(), confirm_with.begin(), confirm_with.end());
       const std::int64_t all = 2 * study.confirmation.replications;
-      const auto run = [&](bool baseline, std::vector<Change> changes) {
+      const auto run = [&](bool baseline, const std::vector<Change>& changes) {
         const LoadedScenario loaded = load_scenario_text(p->loaded.text, p->where, changes);
         return session->run_once(baseline, loaded, changes, baseline ? "today" : "best", [&] {
           const std::int64_t before = baseline ? 0 : study.confirmation.replications;

@@ -161,7 +161,7 @@ Column column_of(const std::string& header) {
   std::string text = lower_case(header);
   const auto cut = [&](std::size_t from, std::size_t to) {
     column.unit = std::string(trim(std::string_view(text).substr(from + 1, to - from - 1)));
-    text = text.substr(0, from);
+    text.resize(from);
   };
   const auto open = text.find_last_of("([");
   const auto close = text.find_last_of(")]");

@@ -193,13 +193,10 @@ void Problem::expand_conditions(World& world) {
     } else if (!spec.function.empty()) {
       Condition c = base;
       c.kind = Condition::Kind::function;
-      c.function = models::catalogue().find(spec.function);
-      if (c.function == nullptr) {
-        try {
-          (void)models::catalogue().at(spec.function);
-        } catch (const models::ModelError& e) {
-          throw InputError(at + "/function", fmt::format("{}/function: {}", at, e.what()));
-        }
+      try {
+        c.function = &models::catalogue().at(spec.function);
+      } catch (const models::ModelError& e) {
+        throw InputError(at + "/function", fmt::format("{}/function: {}", at, e.what()));
       }
       const auto output = std::find_if(c.function->outputs.begin(), c.function->outputs.end(),
                                        [&](const models::Field& f) { return f.name == spec.output; });

@@ -54,6 +54,8 @@ void check_calendar(const Calendar& calendar, const std::string& at);
 void check_spare(const Spare& spare, const std::string& at);
 /// Vehicles find a way between all places that they serve.
 void check_layout(const Scenario& s);
+/// Refuses a shop that no computer holds: limits on sums and products of what single members allow.
+void check_size(const Scenario& s);
 /// Refuses a shop whose machines cannot keep up with the demand, unless it says that it knows.
 void check_capacity(const Scenario& s);
 /// The name must be that of a crew, or a skill that some crew has.

@@ -78,6 +78,8 @@ void check_operation(const Scenario& s, const Operation& operation, const std::s
       plan = scenarios::plan(s, operation, s.machines[g]);
     } catch (const models::ModelError& e) {
       throw InputError(at + "/process", fmt::format("{}/process cannot be planned: {}", at, e.what()));
+    } catch (const models::DomainError& e) {  // members of the specification that contradict each other
+      throw InputError(at + "/process/" + e.input(), fmt::format("{}/process/{}", at, e.what()));
     }
     if (plan.main_time_min < 1e-6)
       fail(at + "/process", fmt::format("{} min", plan.main_time_min), "must take at least 1e-6 min");

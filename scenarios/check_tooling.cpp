@@ -105,6 +105,10 @@ void check_insert(const Scenario&, const Insert& insert, const std::string& at) 
     fail(at + "/edge_life/cv", fmt::format("{}", life.cv), "allowed 0.05 <= cv <= 0.45 for the normal law");
   check_preparation(insert, at);
   if (insert.crib) check_law(insert.crib->lead_time, at + "/crib/lead_time");
+  if (insert.lots && insert.lots->ln_sd_between > 0 && !(insert.lots->ln_sd_within > 0))
+    fail(at + "/lots/ln_sd_within", fmt::format("{}", insert.lots->ln_sd_within),
+         fmt::format("must be above 0 where ln_sd_between = {}: lots are told apart by samples that scatter",
+                     insert.lots->ln_sd_between));
 }
 
 void check_tool(const Scenario& s, const Tool& tool, const std::string& at) {

@@ -170,6 +170,7 @@ void check_each(const std::vector<T>& all, const std::string& list, Check&& chec
 }
 
 void check_whole(const Scenario& s) {
+  check_size(s);
   check_names(names_of(s.inserts), "/inserts");
   check_names(names_of(s.tools), "/tools");
   check_names(names_of(s.calendars), "/calendars");
@@ -221,11 +222,17 @@ Scenario load(const json& scenario) {
     throw InputError("/" + e.input(), (e.input().empty() ? "the scenario" : "/") + std::string(e.what()));
   }
   check_whole(result);
-  for (Crew& crew : result.crews)
-    if (crew.wages) {
+  for (std::size_t k = 0; k < result.crews.size(); ++k) {
+    Crew& crew = result.crews[k];
+    if (!crew.wages) continue;
+    try {
       crew.rate_per_min = wage_fund_per_min(crew);
-      crew.pay = CrewPay::shift;
+    } catch (const models::ModelError& e) {
+      const std::string pointer = fmt::format("/crews/{}/wages", k);
+      throw InputError(pointer, fmt::format("{}: {}", pointer, e.what()));
     }
+    crew.pay = CrewPay::shift;
+  }
   return result;
 }
 

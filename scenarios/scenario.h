@@ -40,8 +40,9 @@ struct SimulationSettings {
   std::int64_t replications = 20;
   Seed seed;
   PlannedChange planned_change = PlannedChange::delay;
-  bool allow_overload = false;  ///< simulate a shop that cannot keep up with its demand
-  double unattended_min = 480;  ///< interval whose chance of passing without a stop is reported
+  bool allow_overload = false;           ///< simulate a shop that cannot keep up with its demand
+  double unattended_min = 480;           ///< interval whose chance of passing without a stop is reported
+  std::int64_t max_events = 50'000'000;  ///< of one replication; a shop that needs more is refused
 };
 
 struct Scenario {

@@ -54,7 +54,9 @@ struct StructFields<SimulationSettings> {
                                     "simulate a shop that cannot keep up with its demand"),
             may<SimulationSettings>(&SimulationSettings::unattended_min, "unattended_min", "min",
                                     open_low(0, 1e9),
-                                    "interval whose chance of passing without a stop is reported")};
+                                    "interval whose chance of passing without a stop is reported"),
+            may<SimulationSettings>(&SimulationSettings::max_events, "max_events", "1",
+                                    closed(1, 10'000'000'000), "events that one replication may take")};
   }
 };
 

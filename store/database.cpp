@@ -8,6 +8,8 @@
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
+#include <sys/stat.h>
+#include <sys/statvfs.h>
 #include <unistd.h>
 
 #include "store/schema.h"
@@ -121,9 +123,31 @@ class Writer::Lock {
   }
   void give_back() noexcept { ::flock(descriptor_, LOCK_UN); }
 
+  /// The database is open: from now on it must stay the file that its name leads to.
+  void remember_database() {
+    struct stat found {};
+    if (::stat(database_.c_str(), &found) != 0) found = {};
+    device_ = found.st_dev;
+    inode_ = found.st_ino;
+    remembered_ = true;
+  }
+  /// SQLite goes on writing into a file that was deleted, and all of it is lost in silence.
+  void check_database() const {
+    if (!remembered_) return;
+    struct stat found {};
+    if (::stat(database_.c_str(), &found) == 0 && found.st_dev == device_ && found.st_ino == inode_) return;
+    throw StoreError(fmt::format(
+        "database {}: was deleted, moved or replaced while it was written to; what was stored since "
+        "is lost: run the command again",
+        database_.string()));
+  }
+
  private:
   std::filesystem::path database_;
   int descriptor_ = -1;
+  bool remembered_ = false;
+  dev_t device_ = 0;
+  ino_t inode_ = 0;
 };
 
 // Runs `body` as the only writer, and names the file in whatever goes wrong.
@@ -137,6 +161,16 @@ auto Writer::alone(Body&& body) const {
     Lock& lock;
   };
   const Held held(*lock_);
+  lock_->check_database();
+  // Looked at again afterwards, on the way out, when nothing else went wrong.
+  struct Still {
+    const Lock& lock;
+    int errors = std::uncaught_exceptions();
+    ~Still() noexcept(false) {
+      if (std::uncaught_exceptions() == errors) lock.check_database();
+    }
+  };
+  const Still still{*lock_};
   return naming(file_, std::forward<Body>(body));
 }
 
@@ -144,6 +178,7 @@ Writer::Writer(const std::filesystem::path& file) : file_(file), lock_(std::make
   alone([&] {
     db_ = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
                                              busy_timeout_ms);
+    lock_->remember_database();
     db_->exec("PRAGMA journal_mode = WAL");
     db_->exec("PRAGMA journal_size_limit = 67108864");
     set_durable(true);
@@ -318,13 +353,39 @@ void Writer::finish_study(std::int64_t study, std::optional<std::int64_t> baseli
   });
 }
 
+namespace {
+
+// Readers of a database in WAL mode share memory through a file beside it, which a read-only disk refuses.
+// Nobody can change a file there either: SQLite may read it as one that never changes. Not when a log was
+// left beside it, that holds commits which would not be seen.
+bool on_read_only_disk(const std::filesystem::path& file) {
+  struct statvfs disk {};
+  std::error_code error;
+  const std::uintmax_t log_bytes = std::filesystem::file_size(file.string() + "-wal", error);
+  return ::statvfs(file.c_str(), &disk) == 0 && (disk.f_flag & ST_RDONLY) != 0 && (error || log_bytes == 0);
+}
+
+std::string unchanging(const std::filesystem::path& file) {
+  std::string uri = "file:";
+  for (const char c : std::filesystem::absolute(file).string())
+    uri += c == '?' || c == '#' || c == '%' ? fmt::format("%{:02x}", static_cast<unsigned char>(c))
+                                            : std::string(1, c);
+  return uri + "?immutable=1";
+}
+
+}  // namespace
+
 Reader::Reader(const std::filesystem::path& file) : file_(file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error))
     throw StoreError(fmt::format("database {} does not exist; `verstat run SCENARIO --db {}` makes one",
                                  file.string(), file.string()));
   naming(file_, [&] {
-    db_ = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
+    if (on_read_only_disk(file)) {
+      db_ = std::make_unique<SQLite::Database>(unchanging(file), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
+    } else {
+      db_ = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
+    }
     db_->exec("PRAGMA wal_autocheckpoint = 0");
     const int version = db_->execAndGet("PRAGMA user_version").getInt();
     if (version != schema_version)

@@ -134,7 +134,8 @@ static_assert(steps.size() == schema_version);
 }  // namespace
 
 void migrate(SQLite::Database& db, const std::filesystem::path& file) {
-  bool kept = false;
+  // A new file holds nothing that a copy could save.
+  bool kept = db.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
   for (;;) {
     const int found = db.execAndGet("PRAGMA user_version").getInt();
     if (found > 0 && found < schema_version && !kept) {

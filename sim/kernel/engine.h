@@ -76,7 +76,7 @@ class Engine {
   /// A process that delays until `time` may go on at once, without passing through the event list, when
   /// every other pending event is later: the clock jumps. Nothing observable differs.
   [[nodiscard]] bool may_jump(double time) const noexcept {
-    return time <= jump_limit_ && list_.nothing_until(time);
+    return time <= jump_limit_ && executed_ < checkpoint_ && list_.nothing_until(time);
   }
   void jump(double time) noexcept {
     now_ = time;
@@ -127,6 +127,7 @@ class Engine {
   PromiseBase* current_ = nullptr;
   ProcessState* finished_ = nullptr;
   std::uint64_t executed_ = 0;
+  std::uint64_t checkpoint_ = std::numeric_limits<std::uint64_t>::max();  // look at the budget from here on
   EventList list_;
   std::function<void(const TraceRecord&)> trace_;
   bool closing_ = false;

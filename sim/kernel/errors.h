@@ -15,6 +15,12 @@ class SimulationError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// The model asks for more than it was granted: events, or memory. No fault of the program.
+class BudgetError : public SimulationError {
+ public:
+  using SimulationError::SimulationError;
+};
+
 /// An exception that escaped from a process, as it leaves Simulation::run().
 /// The original exception is nested: std::rethrow_if_nested gives it back.
 class ProcessError : public std::runtime_error, public std::nested_exception {

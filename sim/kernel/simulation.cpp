@@ -1,5 +1,6 @@
 #include "sim/kernel/simulation.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
@@ -30,7 +31,12 @@ constexpr double no_jump = -1.0;
 void Simulation::run() {
   if (current_ != nullptr) throw SimulationError(where() + "run() called from inside a process");
   const JumpPermit permit(jump_limit_, trace_ ? no_jump : std::numeric_limits<double>::max());
-  while (!list_.empty()) dispatch(list_.pop(now_));
+  while (!list_.empty()) {
+    if (executed_ >= checkpoint_) [[unlikely]] {
+      check_budget();
+    }
+    dispatch(list_.pop(now_));
+  }
 }
 
 void Simulation::run_until(double time) {
@@ -39,7 +45,12 @@ void Simulation::run_until(double time) {
     throw SimulationError(where() + "run_until(" + detail::text_of(time) + "), must be finite and >= now");
   }
   const JumpPermit permit(jump_limit_, trace_ ? no_jump : time);
-  while (!list_.empty() && list_.next_time(now_) <= time) dispatch(list_.pop(now_));
+  while (!list_.empty() && list_.next_time(now_) <= time) {
+    if (executed_ >= checkpoint_) [[unlikely]] {
+      check_budget();
+    }
+    dispatch(list_.pop(now_));
+  }
   now_ = time;
 }
 
@@ -48,6 +59,25 @@ bool Simulation::step() {
   if (list_.empty()) return false;
   dispatch(list_.pop(now_));
   return true;
+}
+
+void Simulation::set_budget(std::uint64_t events, std::uint64_t at_one_instant) {
+  if (events == 0 || at_one_instant == 0) throw SimulationError("set_budget: both budgets must be >= 1");
+  budget_ = events;
+  at_one_instant_ = at_one_instant;
+  checkpoint_time_ = -1.0;
+  checkpoint_ = executed_;
+}
+
+// Jumps stop at a checkpoint, too: a process that never suspends otherwise comes back to the event list.
+void Simulation::check_budget() {
+  if (executed_ >= budget_) throw BudgetError(where() + "more than " + std::to_string(budget_) + " events");
+  if (now_ == checkpoint_time_)
+    throw BudgetError(where() + "the clock stands still: " + std::to_string(at_one_instant_) +
+                      " events at one instant");
+  checkpoint_time_ = now_;
+  const std::uint64_t left = budget_ - executed_;
+  checkpoint_ = executed_ + std::min(left, at_one_instant_);
 }
 
 Process Simulation::spawn(std::string_view name, int priority, Task<void> task) {

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -67,6 +68,11 @@ class Simulation : public detail::Engine {
     return detail::Delay(*this, dt, priority);
   }
 
+  /// From now on run() and run_until() end with BudgetError before an event above `events`, and when
+  /// `at_one_instant` events or more have passed without the clock moving on (found out within twice that
+  /// number). Both >= 1. Where the error comes does not depend on the speed of the machine.
+  void set_budget(std::uint64_t events, std::uint64_t at_one_instant);
+
   /// Number of events executed so far.
   [[nodiscard]] std::uint64_t events_executed() const noexcept { return executed_; }
   /// True when no event is pending.
@@ -81,6 +87,12 @@ class Simulation : public detail::Engine {
   void set_trace(std::function<void(const TraceRecord&)> hook);
 
  private:
+  void check_budget();
+
+  std::uint64_t budget_ = std::numeric_limits<std::uint64_t>::max();
+  std::uint64_t at_one_instant_ = std::numeric_limits<std::uint64_t>::max();
+  double checkpoint_time_ = -1.0;
+
   template <class T>
   static Task<void> keep_result(Task<T> task, detail::ResultRef<T> slot) {
     T value = co_await std::move(task);

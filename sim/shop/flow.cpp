@@ -2,6 +2,8 @@
 #include <algorithm>
 #include <limits>
 
+#include <fmt/format.h>
+
 #include "sim/shop/shop_parts.h"
 #include "sim/shop/trace.h"
 
@@ -60,6 +62,7 @@ void Shop::backlog(std::size_t part, std::int64_t quantity, double due_min) {
     const double allowance_min = source.due_after->sample(source.due_stream);
     if (due_min == std::numeric_limits<double>::infinity()) due_min = sim_.now() + allowance_min;
   }
+  count_batch(part);
   source.backlog.push_back({quantity, sim_.now(), due_min});
   release_what_may(part);
 }
@@ -89,6 +92,7 @@ void Shop::release_what_may(std::size_t part) {
       job->due_min = source.backlog.front().due_min;
       job->since_min = job->arrived_min;
       source.backlog.pop_front();
+      --batches_;  // waiting no more: counted as released
     }
     send(*job, group);
   }
@@ -104,7 +108,21 @@ void Shop::release_after_queue_change(std::size_t group) {
   }
 }
 
+// A queue that grows without end takes all memory long before it takes all events.
+void Shop::count_batch(std::size_t part) {
+  if (++batches_ > most_batches)
+    throw sim::BudgetError(fmt::format(
+        "more than {} batches wait in the shop, part \"{}\" the last: more come than can be worked",
+        most_batches, scenario_.parts[part].name));
+}
+
 Job* Shop::new_job(std::size_t part, std::int64_t quantity) {
+  count_batch(part);
+  if (quantity > most_pieces)
+    throw sim::BudgetError(
+        fmt::format("a batch of {} pieces of part \"{}\", the most is {}: check the counts "
+                    "of yields, they multiply",
+                    quantity, scenario_.parts[part].name, most_pieces));
   Job* job = jobs_.make();
   job->part = part;
   job->quantity = quantity;
@@ -489,6 +507,7 @@ void Shop::finish(Job& job) {
   const std::size_t part = job.part;
   --sources_[part]->batches_in_shop;
   jobs_.give_back(&job);
+  --batches_;
   release_what_may(part);
 }
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <new>
 
 #include <fmt/format.h>
 
@@ -496,10 +497,39 @@ void Shop::each_kpi(const KpiSink& sink) const {
   store_and_transport_kpis(sink);
 }
 
+// A budget that ran out is the scenario's affair: said in its words, with the way out.
+void Shop::simulate_until(double time_min) {
+  const char* const way_out =
+      " (/simulation/max_events): shorten /simulation/horizon_min, check the durations, or allow more";
+  try {
+    sim_.run_until(time_min);
+  } catch (const sim::BudgetError& e) {
+    throw sim::BudgetError(fmt::format("replication {}: {}{}", replication_, e.what(), way_out));
+  } catch (const sim::ProcessError& e) {
+    try {
+      std::rethrow_if_nested(e);
+    } catch (const sim::BudgetError&) {  // thrown by a process: what it says stands with time and name
+      throw sim::BudgetError(fmt::format("replication {}: {}", replication_, e.what()));
+    } catch (const std::bad_alloc&) {  // whoever runs the shop has words for it
+      throw;
+    } catch (...) {
+    }
+    throw;
+  }
+}
+
+void Shop::watch_event_order() {
+  sim_.set_trace([this](const sim::TraceRecord& record) {
+    event_order_.add(record.time);
+    event_order_.add(record.process);
+  });
+}
+
 std::vector<std::optional<double>> Shop::run() {
-  sim_.run_until(scenario_.simulation.warmup_min);
+  sim_.set_budget(static_cast<std::uint64_t>(scenario_.simulation.max_events), events_at_one_instant);
+  simulate_until(scenario_.simulation.warmup_min);
   reset_counts();
-  sim_.run_until(scenario_.simulation.horizon_min);
+  simulate_until(scenario_.simulation.horizon_min);
   settle();
   book_totals();
   std::vector<std::optional<double>> values;

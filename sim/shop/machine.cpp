@@ -3,8 +3,6 @@
 #include <cmath>
 #include <limits>
 
-#include <fmt/format.h>
-
 #include "sim/kernel/composite.h"
 #include "sim/shop/shop_parts.h"
 #include "sim/shop/trace.h"
@@ -14,13 +12,6 @@ namespace verstat::shop {
 using scenarios::AtShiftEnd;
 using scenarios::Attendance;
 using scenarios::StopEffect;
-
-namespace {
-
-// A scenario that asks for more is a typing error, not a plan: it would simulate for days.
-constexpr std::uint64_t event_budget = 2'000'000'000;
-
-}  // namespace
 
 void Shop::enter(MachineUnit& machine, MachineState state, MountedTool* tool) {
   if (trace_ != nullptr && state != machine.clock.state())
@@ -32,11 +23,6 @@ void Shop::enter(MachineUnit& machine, MachineState state, MountedTool* tool) {
 
 sim::Task<void> Shop::machine_process(MachineUnit& machine) {
   for (;;) {
-    if (sim_.events_executed() > event_budget)
-      throw std::runtime_error(
-          fmt::format("more than {} events in one replication: shorten the horizon or check the "
-                      "durations, they are far apart",
-                      event_budget));
     Job* const job = co_await wait_for_job(machine);
     machine.job = job;
     ++machine.group->in_work;

@@ -61,6 +61,7 @@ void Shop::reject(MachineUnit& machine, Job& job, std::int64_t quantity) {
   job.quantity -= quantity;
   Source& source = *sources_[job.part];
   if (step.rework != scenarios::route_end && job.reworks < step.rework_limit) {
+    count_batch(job.part);
     Job* again = jobs_.make();
     *again = job;
     again->quantity = quantity;

@@ -3,8 +3,12 @@
 #include <mutex>
 #include <stdexcept>
 
+#include <fmt/format.h>
+
+#include "sim/kernel/errors.h"
 #include "sim/kernel/output_analysis.h"
 #include "sim/kernel/replications.h"
+#include "sim/shop/fingerprint.h"
 #include "sim/shop/shop.h"
 
 namespace verstat::shop {
@@ -25,22 +29,36 @@ std::optional<std::size_t> RunResult::index_of(const std::string& kpi) const {
   return std::nullopt;
 }
 
-RunResult run_scenario(const scenarios::Scenario& scenario, int threads, const Progress& progress) {
-  return run_replications(scenario, 0, scenario.simulation.replications, threads, progress);
+RunResult run_scenario(const scenarios::Scenario& scenario, int threads, const Progress& progress,
+                       Checks checks) {
+  return run_replications(scenario, 0, scenario.simulation.replications, threads, progress, checks);
 }
 
 RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t first, std::int64_t count,
-                           int threads, const Progress& progress) {
+                           int threads, const Progress& progress, Checks checks) {
   const auto replications = static_cast<std::size_t>(count);
+  RunResult result;
+  result.kpis = kpi_infos(scenario);
+  if (replications > most_values / result.kpis.size())
+    throw sim::BudgetError(
+        fmt::format("{} replications of {} KPIs are more than {} values: ask for fewer replications "
+                    "(/simulation/replications) or machines",
+                    replications, result.kpis.size(), most_values));
   std::mutex progress_mutex;
   std::int64_t done = 0;
   struct Outcome {
     std::vector<std::optional<double>> values;
     std::uint64_t events;
+    std::uint64_t event_order;
+    std::vector<std::string> broken_laws;
   };
   const auto one = [&](std::size_t replication) {
     Shop shop(scenario, first + replication);
-    Outcome outcome{shop.run(), shop.events_executed()};
+    if (checks == Checks::on) shop.watch_event_order();
+    Outcome outcome{shop.run(), shop.events_executed(), shop.event_order(), {}};
+    if (checks == Checks::on)
+      for (const std::string& law : shop.audit())
+        outcome.broken_laws.push_back(fmt::format("replication {}: {}", first + replication, law));
     if (progress) {
       const std::scoped_lock lock(progress_mutex);
       progress(++done, count);
@@ -49,12 +67,14 @@ RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t fi
   };
   std::vector<Outcome> outcomes = sim::run_replications(replications, static_cast<unsigned>(threads), one);
 
-  RunResult result;
-  result.kpis = kpi_infos(scenario);
+  Fingerprint event_order;
   for (Outcome& outcome : outcomes) {
     result.events += outcome.events;
+    event_order.add(outcome.event_order);
+    for (std::string& law : outcome.broken_laws) result.broken_laws.push_back(std::move(law));
     result.values.push_back(std::move(outcome.values));
   }
+  if (checks == Checks::on) result.event_order = event_order.value();
   std::vector<std::optional<double>> column(replications);
   for (std::size_t k = 0; k < result.kpis.size(); ++k) {
     for (std::size_t r = 0; r < replications; ++r) column[r] = result.values[r][k];

@@ -26,6 +26,7 @@
 #include "sim/kernel/tally.h"
 #include "sim/shop/costs.h"
 #include "sim/shop/crib.h"
+#include "sim/shop/fingerprint.h"
 #include "sim/shop/job.h"
 #include "sim/shop/kpis.h"
 #include "sim/shop/labour.h"
@@ -37,6 +38,13 @@
 namespace verstat::shop {
 
 class Trace;
+
+/// Batches in the shop or waiting for release, per replication: about 200 bytes each.
+inline constexpr std::int64_t most_batches = 1'000'000;
+/// Pieces in one batch.
+inline constexpr std::int64_t most_pieces = 1'000'000'000;
+/// More events while the clock stands still are no plan: durations of zero feed each other.
+inline constexpr std::uint64_t events_at_one_instant = 5'000'000;
 
 /// Everything counted since the end of the warm-up about one kind of tool.
 struct ToolCounts {
@@ -83,9 +91,13 @@ class Shop {
   ~Shop();
 
   /// Simulates warm-up and horizon; returns the KPIs in the order of kpi_infos(scenario).
-  /// Throws sim::ProcessError; that would be a bug of ours or an exhausted event budget.
+  /// Throws sim::BudgetError when the shop needs more events or memory than it may, and sim::ProcessError;
+  /// that would be a bug of ours.
   [[nodiscard]] std::vector<std::optional<double>> run();
   [[nodiscard]] std::uint64_t events_executed() const { return sim_.events_executed(); }
+  /// Before run(): keep a fingerprint of which process went on when. Slower by about a half.
+  void watch_event_order();
+  [[nodiscard]] std::uint64_t event_order() const { return event_order_.value(); }
   /// After run(): laws of conservation that do not hold, in words. Empty when all is well.
   [[nodiscard]] std::vector<std::string> audit() const;
 
@@ -221,6 +233,7 @@ class Shop {
   [[nodiscard]] Job* take_job(MachineUnit& machine);
   [[nodiscard]] std::size_t best_waiting(const MachineUnit& machine) const;
   [[nodiscard]] Job* new_unlimited_job(Group& group);
+  void count_batch(std::size_t part);
   [[nodiscard]] Job* new_job(std::size_t part, std::int64_t quantity);
   [[nodiscard]] const PlannedOperation& planned(const Job& job) const;
   [[nodiscard]] std::size_t choose_step(MachineUnit& machine, const Job& job);
@@ -240,6 +253,7 @@ class Shop {
   void count_lead_time(const Job& job, std::int64_t quantity);
 
   // kpis.cpp, tool_kpis.cpp
+  void simulate_until(double time_min);
   void reset_counts();
   void settle();
   void book_totals();
@@ -290,6 +304,8 @@ class Shop {
   sim::TimeWeighted work_in_process_{0.0};  // parts in the shop
   sim::QuantileSketch lead_times_;
   std::uint64_t next_number_ = 0;
+  std::int64_t batches_ = 0;  // in the shop or waiting for release
+  Fingerprint event_order_;
 };
 
 }  // namespace verstat::shop

@@ -43,10 +43,12 @@ inline std::string read_file(const std::string& path) {
 }
 
 /// `arguments` as typed in a shell, from the root of the tree.
-inline Answer call(const std::string& arguments) {
+/// `before`: what stands in front of the program, as "timeout 20".
+inline Answer call(const std::string& arguments, const std::string& before = "") {
   static const Workspace workspace;
   const std::string err_file = workspace.file("stderr");
-  const std::string line = std::string(VERSTAT_PROGRAM) + " " + arguments + " 2>" + err_file + " </dev/null";
+  const std::string line =
+      before + " " + std::string(VERSTAT_PROGRAM) + " " + arguments + " 2>" + err_file + " </dev/null";
   Answer answer;
   std::FILE* pipe = ::popen(line.c_str(), "r");
   std::array<char, 65536> block{};
