@@ -13,7 +13,7 @@ _verstat() {
   case "$key" in
     "") words="validate run compare sweep losses optimize plan models runs fit calibrate serve schema trace graph -h --help --version" ;;
     "validate") words="-h --help --json --seed --replications --threads --set --changes" ;;
-    "run") words="-h --help --label --json --db --seed --replications --threads --set --changes" ;;
+    "run") words="-h --help --label --check --json --db --seed --replications --threads --set --changes" ;;
     "compare") words="-h --help --variant --kpi --confidence --indifference --max-replications --progress --json --db --seed --replications --threads --set --changes" ;;
     "sweep") words="-h --help --factor --design --points --kpi --resume --progress --json --db --seed --replications --threads --set --changes" ;;
     "losses") words="-h --help --loss --progress --json --db --seed --replications --threads --set --changes" ;;
