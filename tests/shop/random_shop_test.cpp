@@ -1,5 +1,7 @@
 // Thousands of random shops: whatever the scenario, parts, time and money are conserved, and what does not
 // matter changes nothing.
+#include <fmt/format.h>
+
 #include "tests/property.h"
 #include "tests/shop/small_shop.h"
 
@@ -180,6 +182,14 @@ TEST_CASE("random shops conserve parts, time and money", "[shop][random]") {
 TEST_CASE("the order of lists changes nothing", "[shop][random]") {
   property("reordering", [] {
     json text = random_shop();
+    // Everybody with the same shift wants hands at the same instant when it begins: the tie would be broken
+    // by the order of the list.
+    bool shift_taken = text["crews"][1].contains("calendar");
+    for (json& machine : text["machines"]) {
+      if (!machine.contains("calendar")) continue;
+      if (shift_taken || machine["count"] != 1) machine.erase("calendar");
+      shift_taken = true;
+    }
     const auto result = run(text);
     // Crews are asked in the order of their list: that order means something.
     for (const char* list : {"machines", "stores", "operations", "calendars", "spares"})
@@ -191,7 +201,8 @@ TEST_CASE("the order of lists changes nothing", "[shop][random]") {
       const auto a = result.values[0][k];
       const auto b = again.values[0][*other];
       RC_ASSERT(a.has_value() == b.has_value());
-      if (a && std::abs(*a - *b) > 1e-9 * std::max(1.0, std::abs(*a))) RC_FAIL(result.kpis[k].name);
+      if (a && std::abs(*a - *b) > 1e-9 * std::max(1.0, std::abs(*a)))
+        RC_FAIL(fmt::format("{}: {} and {} in {}", result.kpis[k].name, *a, *b, text.dump()));
     }
   });
 }
