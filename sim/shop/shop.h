@@ -259,6 +259,8 @@ class Shop {
   void book_totals();
   /// Hands every KPI to the sink, in order: names and values stand together.
   void each_kpi(const KpiSink& sink) const;
+  [[nodiscard]] bool can_occur(const Group& group, MachineState state) const;
+  [[nodiscard]] bool can_occur(Cost cost) const;
   void shop_kpis(const KpiSink& sink) const;
   void machine_kpis(const KpiSink& sink) const;
   void part_kpis(const KpiSink& sink) const;
@@ -292,8 +294,11 @@ class Shop {
   std::vector<std::unique_ptr<InsertCrib>> cribs_;  // one per insert; null: always enough
   std::vector<std::unique_ptr<ToolPool>> pools_;    // of copies
   std::vector<std::unique_ptr<MachineUnit>> machines_;
+  std::vector<std::vector<MountedTool*>> mounted_;  // by tool of the scenario, in the order of the machines
+  std::vector<std::vector<ToolPool*>> pools_of_;    // by tool of the scenario
   std::vector<std::unique_ptr<Spares>> spares_;
   std::vector<std::unique_ptr<StoreUnit>> stores_;
+  std::vector<StoreUnit*> store_of_;              // by part type
   std::vector<std::unique_ptr<Source>> sources_;  // one per part type
   std::vector<std::unique_ptr<Carrier>> carriers_;
   std::vector<ToolCounts> tools_;  // one per tool of the scenario
@@ -301,6 +306,9 @@ class Shop {
   std::vector<scenarios::Route> routes_;
   std::vector<std::vector<double>> work_left_min_;  // [part][step]: expected work on the rest of the route
   std::vector<Job*> waiting_for_components_;
+  std::vector<Group*> assembling_groups_;  // that start assemblies from blanks that are always available
+  bool can_block_ = false;                 // a place in the shop can be full
+  bool has_off_line_tools_ = false;
   sim::TimeWeighted work_in_process_{0.0};  // parts in the shop
   sim::QuantileSketch lead_times_;
   std::uint64_t next_number_ = 0;

@@ -14,14 +14,19 @@ namespace verstat::shop {
 
 // Identical machines share one queue of batches.
 struct Shop::Group {
-  Group(sim::Simulation& sim, const scenarios::Machine& machine) : spec(&machine), room(sim) {}
+  Group(sim::Simulation& sim, const scenarios::Machine& machine, std::size_t group_index)
+      : spec(&machine), index(group_index), room(sim) {}
   const scenarios::Machine* spec;
+  std::size_t index;
   std::deque<Job*> queue;         // in order of arrival
   std::deque<MachineUnit*> idle;  // machines that wait for work, who waits longest first
   std::int64_t on_their_way = 0;  // batches sent here that have not arrived: their room is taken
   std::int64_t in_work = 0;
   sim::Signal room;                          // the queue has become shorter
   std::vector<std::size_t> unlimited_parts;  // part types that are always available and start here
+  std::vector<std::size_t> releases;         // part types whose release waits for this queue to shorten
+  bool assembles_unlimited = false;          // one of the unlimited parts starts with an assembly
+  bool has_tool = false;
   std::size_t next_unlimited = 0;
   std::optional<scenarios::WorkingTime> working_time;
   std::optional<sim::Distribution> loading_time;
@@ -208,8 +213,10 @@ struct Shop::Spares {
 };
 
 struct Shop::StoreUnit {
-  StoreUnit(const scenarios::Store& store, sim::Simulation& sim) : spec(&store), room(sim) {}
+  StoreUnit(const scenarios::Store& store, std::size_t store_index, sim::Simulation& sim)
+      : spec(&store), index(store_index), room(sim) {}
   const scenarios::Store* spec;
+  std::size_t index;
   std::vector<std::int64_t> parts;  // by part type
   std::vector<std::size_t> kinds;   // part types that are kept here
   std::int64_t level = 0;
@@ -258,6 +265,9 @@ struct Shop::Fleet {
   std::vector<Vehicle> vehicles = {};
   scenarios::Layout layout;
   std::vector<std::size_t> crews = {};
+  // Places of the layout where machine groups and stores stand; no place: route_end.
+  std::vector<std::size_t> of_group = {};
+  std::vector<std::size_t> of_store = {};
 };
 
 struct Shop::Carrier {
@@ -265,6 +275,10 @@ struct Shop::Carrier {
           std::uint64_t replication)
       : spec(&transport), room(sim), stream(seed, transport.name, "transport time", replication) {}
   const scenarios::Transport* spec;
+  // Whether it serves moves from a group, to a group and to a store.
+  std::vector<bool> from_group = {};
+  std::vector<bool> to_group = {};
+  std::vector<bool> to_store = {};
   std::optional<sim::Distribution> time;
   std::int64_t on_board = 0;
   sim::Signal room;  // of a conveyor; a vehicle that has become free

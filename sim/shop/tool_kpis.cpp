@@ -36,20 +36,17 @@ void Shop::tool_kpis(double finished, const KpiSink& sink) const {
     const ToolCounts& counts = tools_[t];
     const scenarios::Tool& spec = scenario_.tools[t];
     std::array<double, machine_states> state_min{};
-    double places = 0;
+    const auto places = static_cast<double>(mounted_[t].size());
     std::int64_t intervals = 0;
     std::int64_t quiet = 0;
     std::vector<const IntervalCount*> changes;
-    for (const auto& machine : machines_)
-      for (const auto& [name, tool] : machine->tools) {
-        if (tool->index != t) continue;
-        ++places;
-        for (std::size_t s = 0; s < machine_states; ++s)
-          state_min[s] += tool->clock.time_min(static_cast<MachineState>(s));
-        intervals += tool->stops.intervals();
-        quiet += tool->stops.at_most(0);
-        changes.push_back(&tool->changes);
-      }
+    for (const MountedTool* tool : mounted_[t]) {
+      for (std::size_t s = 0; s < machine_states; ++s)
+        state_min[s] += tool->clock.time_min(static_cast<MachineState>(s));
+      intervals += tool->stops.intervals();
+      quiet += tool->stops.at_most(0);
+      changes.push_back(&tool->changes);
+    }
     const auto in = [&](MachineState s) { return state_min[static_cast<std::size_t>(s)]; };
     const double cutting_min = in(MachineState::cutting);
     const double waiting_min = in(MachineState::waiting_crew);
@@ -120,12 +117,10 @@ void Shop::tool_kpis(double finished, const KpiSink& sink) const {
     for (std::size_t k = 0; k < spec.elements.size(); ++k) {
       double element_changes = 0;
       double use_min = 0;
-      for (const auto& machine : machines_)
-        for (const auto& [name, tool] : machine->tools)
-          if (tool->index == t) {
-            element_changes += static_cast<double>(tool->elements[k].changes);
-            use_min += tool->elements[k].use_min_sum;
-          }
+      for (const MountedTool* tool : mounted_[t]) {
+        element_changes += static_cast<double>(tool->elements[k].changes);
+        use_min += tool->elements[k].use_min_sum;
+      }
       const std::string& name = spec.elements[k].element;
       put(fmt::format("element/{}/changes", name), "1", "changes of this element", element_changes);
       put(fmt::format("element/{}/use_min", name), "min", "mean cutting time between its changes",

@@ -9,15 +9,6 @@
 
 namespace verstat::shop {
 
-namespace {
-
-template <class T>
-std::size_t position_of(const std::vector<T>& all, const std::string& name) {
-  return static_cast<std::size_t>(scenarios::find_named(all, name) - all.data());
-}
-
-}  // namespace
-
 Shop::ElementUnit::ElementUnit(const scenarios::ElementService& service,
                                const operations::ElementLife& element, std::uint64_t seed,
                                const std::string& entity, std::uint64_t replication)
@@ -89,8 +80,12 @@ void Shop::build_tools() {
   lots_.push_back(nullptr);
   cribs_.push_back(nullptr);
 
+  mounted_.resize(scenario_.tools.size());
+  pools_of_.resize(scenario_.tools.size());
+  has_off_line_tools_ =
+      std::any_of(scenario_.tools.begin(), scenario_.tools.end(), scenarios::changed_off_line);
   const auto insert_of = [&](const scenarios::Tool& tool) {
-    return tool.insert.empty() ? inserts_.size() - 1 : position_of(scenario_.inserts, tool.insert);
+    return tool.insert.empty() ? inserts_.size() - 1 : scenarios::index_of(scenario_.inserts, tool.insert);
   };
   const auto body_of = [&](const scenarios::Tool& tool, const std::string& entity) {
     const std::size_t insert = insert_of(tool);
@@ -106,6 +101,7 @@ void Shop::build_tools() {
       pool->ready.try_put(pool->copies.back().get());
     }
     pools_.push_back(std::move(pool));
+    pools_of_[index].push_back(pools_.back().get());
     return pools_.back().get();
   };
   std::map<std::size_t, ToolPool*> shared;
@@ -141,6 +137,7 @@ void Shop::build_tools() {
             life = &element;
       mounted->elements.emplace_back(service, *life, seed, entity, replication_);
     }
+    mounted_[index].push_back(mounted.get());
     machine.tools[tool.name] = std::move(mounted);
   };
 
@@ -154,24 +151,27 @@ void Shop::build_tools() {
           if (services[k].element == element.element) on.element_mean_min[k] = element.mean_min;
     }
   }
+  // Tools of each group, in the order of the operations that use them.
+  std::vector<std::vector<std::size_t>> wanted(groups_.size());
+  for (const OperationUnit& operation : operations_) {
+    if (operation.spec->tool.empty()) continue;
+    const std::size_t tool = scenarios::index_of(scenario_.tools, operation.spec->tool);
+    for (const PlannedOperation& on : operation.on) wanted[on.group].push_back(tool);
+  }
   for (const auto& machine : machines_)
-    for (const OperationUnit& operation : operations_) {
-      const std::string& name = operation.spec->tool;
-      const auto here = [&](const PlannedOperation& on) { return groups_[on.group].get() == machine->group; };
-      if (name.empty() || std::none_of(operation.on.begin(), operation.on.end(), here)) continue;
-      if (!machine->tools.contains(name)) mount(*machine, position_of(scenario_.tools, name));
+    for (const std::size_t tool : wanted[machine->group->index]) {
+      machine->group->has_tool = true;
+      if (!machine->tools.contains(scenario_.tools[tool].name)) mount(*machine, tool);
     }
   reset_tool_counts();
 }
 
 std::int64_t Shop::edges_in_tools(std::size_t tool) const {
   std::int64_t edges = 0;
-  for (const auto& machine : machines_)
-    for (const auto& [name, mounted] : machine->tools)
-      if (mounted->index == tool && mounted->own) edges += mounted->own->edges_held();
-  for (const auto& pool : pools_)
-    if (pool->tool == tool)
-      for (const auto& copy : pool->copies) edges += copy->edges_held();
+  for (const MountedTool* mounted : mounted_[tool])
+    if (mounted->own) edges += mounted->own->edges_held();
+  for (const ToolPool* pool : pools_of_[tool])
+    for (const auto& copy : pool->copies) edges += copy->edges_held();
   return edges;
 }
 
