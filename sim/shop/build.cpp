@@ -45,6 +45,24 @@ std::vector<double> work_left(const scenarios::Route& route, const std::vector<d
 
 }  // namespace
 
+Shop::PlannedOperation::PlannedOperation(const Operation& operation, std::size_t on_group,
+                                         operations::CutPlan cut_plan)
+    : group(on_group),
+      main_time_min(cut_plan.main_time_min),
+      cost(operation.cost),
+      mean_life_min(cut_plan.edge ? cut_plan.edge->mean_min : std::numeric_limits<double>::infinity()),
+      breaks(cut_plan.breakage_probability),
+      wears(cut_plan.edge.has_value() && !operation.tool.empty()),
+      inspects(operation.inspection || cut_plan.detection),
+      quality(operation.quality ? &*operation.quality : nullptr),
+      spec(&operation),
+      plan(std::move(cut_plan)) {
+  double kept = 1 - plan.scrap_probability;
+  if (quality != nullptr) kept *= 1 - quality->scrap_probability;
+  spoils = 1 - kept;
+  if (plan.time_law) time_law = law_of(*plan.time_law);
+}
+
 Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication, Trace* trace)
     : scenario_(scenario),
       replication_(replication),
@@ -68,10 +86,7 @@ void Shop::build_operations() {
     OperationUnit unit{.spec = &operation, .on = {}};
     unit.family = intern(families_, operation.family.empty() ? operation.name : operation.family);
     for (const std::size_t g : scenarios::groups_of(scenario_, operation)) {
-      PlannedOperation planned{
-          &operation, g, scenarios::plan(scenario_, operation, scenario_.machines[g]), {}, {}};
-      if (planned.plan.time_law) planned.time_law = law_of(*planned.plan.time_law);
-      unit.on.push_back(std::move(planned));
+      unit.on.emplace_back(operation, g, scenarios::plan(scenario_, operation, scenario_.machines[g]));
     }
     operations_.push_back(std::move(unit));
   }
@@ -149,7 +164,7 @@ void Shop::build_flow() {
     routes_.push_back(scenarios::route_of(scenario_, part));
     std::vector<double> time_min;
     for (const scenarios::RouteStep& step : routes_.back())
-      time_min.push_back(operations_[step.operation].on.front().plan.main_time_min *
+      time_min.push_back(operations_[step.operation].on.front().main_time_min *
                          static_cast<double>(part.batch_size));
     work_left_min_.push_back(work_left(routes_.back(), time_min));
     store_of_.push_back(stores_[index_of(scenario_.stores, part.store)].get());

@@ -219,9 +219,8 @@ bool Shop::has_room(Place place, const Job& job) const {
            (store.level + store.on_their_way == 0);  // a batch larger than the store goes in alone
   }
   const Group& group = *groups_[place.group];
-  if (!group.spec->queue_capacity) return true;
   const auto taken = static_cast<std::int64_t>(group.queue.size()) + group.on_their_way;
-  return taken < *group.spec->queue_capacity + static_cast<std::int64_t>(group.idle.size());
+  return taken < group.queue_capacity + static_cast<std::int64_t>(group.idle.size());
 }
 
 void Shop::send(Job& job, std::size_t group) {
@@ -261,7 +260,7 @@ std::size_t Shop::best_waiting(const MachineUnit& machine) const {
       case Dispatch::fifo:
         return 0;
       case Dispatch::spt:
-        return planned(job).plan.main_time_min * static_cast<double>(job.quantity);
+        return planned(job).main_time_min * static_cast<double>(job.quantity);
       case Dispatch::edd:
         return job.due_min;
       case Dispatch::critical_ratio: {

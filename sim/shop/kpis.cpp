@@ -160,7 +160,7 @@ void Shop::settle() {
   labour_->settle(sim_.now());
   for (const auto& machine : machines_) {
     machine->clock.settle(sim_.now());
-    for (const auto& [name, tool] : machine->tools) {
+    for (const auto& tool : machine->tools) {
       tool->clock.settle(sim_.now());
       tool->stops.close();
       tool->changes.close();
@@ -177,7 +177,7 @@ void Shop::reset_counts() {
   for (PartCounts& part : parts_) part = PartCounts();
   for (const auto& machine : machines_) {
     machine->clock.reset(now);
-    for (const auto& [name, tool] : machine->tools) tool->clock.reset(now);
+    for (const auto& tool : machine->tools) tool->clock.reset(now);
     machine->parts_done = 0;
     machine->parts_rejected = 0;
     machine->planned_min = 0;

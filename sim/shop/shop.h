@@ -114,14 +114,29 @@ class Shop {
   struct Source;
   struct Carrier;
   struct Fleet;
+  /// An operation on one group of machines. What every part asks stands first, together: a large plant lives
+  /// or dies by the memory it touches.
   struct PlannedOperation {
-    const scenarios::Operation* spec;
+    PlannedOperation(const scenarios::Operation& operation, std::size_t on_group,
+                     operations::CutPlan cut_plan);
     std::size_t group;  // of the machines that do it
-    operations::CutPlan plan;
-    std::optional<sim::Distribution> time_law;
+    double main_time_min;
+    double cost;
+    double mean_life_min;             // of an edge; infinite: none is worn
+    double spoils;                    // chance that the process spoils a part
+    double breaks;                    // chance that the tool breaks in a part
+    std::size_t tool_slot = no_tool;  // among the tools of each machine of the group
+    bool uses_tool = false;
+    bool wears = false;
+    bool inspects;
+    const scenarios::Quality* quality;  // null: none
     /// Mean lives, min, of the elements that its tool has a service for; infinite: not worn.
     std::vector<double> element_mean_min;
+    std::optional<sim::Distribution> time_law;
+    const scenarios::Operation* spec;
+    operations::CutPlan plan;
   };
+  static constexpr std::size_t no_tool = static_cast<std::size_t>(-1);
   /// An operation with its plan on every group that can do it.
   struct OperationUnit {
     const scenarios::Operation* spec;

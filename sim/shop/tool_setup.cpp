@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -138,7 +139,7 @@ void Shop::build_tools() {
       mounted->elements.emplace_back(service, *life, seed, entity, replication_);
     }
     mounted_[index].push_back(mounted.get());
-    machine.tools[tool.name] = std::move(mounted);
+    machine.tools.push_back(std::move(mounted));
   };
 
   for (OperationUnit& operation : operations_) {
@@ -151,18 +152,34 @@ void Shop::build_tools() {
           if (services[k].element == element.element) on.element_mean_min[k] = element.mean_min;
     }
   }
-  // Tools of each group, in the order of the operations that use them.
-  std::vector<std::vector<std::size_t>> wanted(groups_.size());
-  for (const OperationUnit& operation : operations_) {
+  // Tools of each group by name, and where each operation finds its own.
+  std::vector<std::vector<std::size_t>> held(groups_.size());
+  for (OperationUnit& operation : operations_) {
     if (operation.spec->tool.empty()) continue;
     const std::size_t tool = scenarios::index_of(scenario_.tools, operation.spec->tool);
-    for (const PlannedOperation& on : operation.on) wanted[on.group].push_back(tool);
-  }
-  for (const auto& machine : machines_)
-    for (const std::size_t tool : wanted[machine->group->index]) {
-      machine->group->has_tool = true;
-      if (!machine->tools.contains(scenario_.tools[tool].name)) mount(*machine, tool);
+    for (PlannedOperation& on : operation.on) {
+      on.tool_slot = tool;  // replaced by the place among the tools of the group
+      auto& tools = held[on.group];
+      if (std::find(tools.begin(), tools.end(), tool) == tools.end()) tools.push_back(tool);
     }
+  }
+  for (auto& tools : held)
+    std::sort(tools.begin(), tools.end(), [&](std::size_t a, std::size_t b) {
+      return scenario_.tools[a].name < scenario_.tools[b].name;
+    });
+  for (OperationUnit& operation : operations_)
+    for (PlannedOperation& on : operation.on) {
+      const auto& tools = held[on.group];
+      if (on.tool_slot != no_tool)
+        on.tool_slot =
+            static_cast<std::size_t>(std::find(tools.begin(), tools.end(), on.tool_slot) - tools.begin());
+      on.uses_tool = on.wears || !on.element_mean_min.empty();
+    }
+  for (const auto& machine : machines_) {
+    const auto& tools = held[machine->group->index];
+    machine->group->has_tool = !tools.empty();
+    for (const std::size_t tool : tools) mount(*machine, tool);
+  }
   reset_tool_counts();
 }
 
@@ -198,7 +215,7 @@ void Shop::audit_tools(std::vector<std::string>& broken) const {
   for (const auto& pool : pools_) {
     std::size_t mounted = 0;
     for (const auto& machine : machines_)
-      for (const auto& [name, tool] : machine->tools)
+      for (const auto& tool : machine->tools)
         if (tool->pool == pool.get() && tool->body != nullptr) ++mounted;
     if (pool->ready.size() + mounted + pool->in_tool_room != pool->copies.size())
       broken.push_back(fmt::format("tool \"{}\": {} copies, {} ready + {} in machines + {} in the tool room",
@@ -206,12 +223,12 @@ void Shop::audit_tools(std::vector<std::string>& broken) const {
                                    mounted, pool->in_tool_room));
   }
   for (const auto& machine : machines_)
-    for (const auto& [name, tool] : machine->tools) {
+    for (const auto& tool : machine->tools) {
       double sum_min = 0;
       for (std::size_t s = 0; s < machine_states; ++s)
         sum_min += tool->clock.time_min(static_cast<MachineState>(s));
       if (std::abs(sum_min - window_min()) > 1e-9 * scenario_.simulation.horizon_min)
-        broken.push_back(fmt::format("tool \"{}\" on \"{}\": states add up to {} of {} min", name,
+        broken.push_back(fmt::format("tool \"{}\" on \"{}\": states add up to {} of {} min", tool->spec->name,
                                      machine->name, sum_min, window_min()));
     }
 }
@@ -220,7 +237,7 @@ void Shop::reset_tool_counts() {
   for (std::size_t t = 0; t < tools_.size(); ++t) tools_[t] = ToolCounts{.edges_at_start = edges_in_tools(t)};
   const double end_min = scenario_.simulation.horizon_min;
   for (const auto& machine : machines_)
-    for (const auto& [name, tool] : machine->tools) {
+    for (const auto& tool : machine->tools) {
       tool->stops.restart(sim_.now(), end_min, scenario_.simulation.unattended_min);
       tool->changes.restart(sim_.now(), end_min, scenario_.simulation.unattended_min);
       for (ElementUnit& element : tool->elements) {
