@@ -158,6 +158,8 @@ bool Shop::can_occur(Cost cost) const {
 
 void Shop::settle() {
   labour_->settle(sim_.now());
+  for (IntervalCount& weeks : weeks_of_insert_) weeks.close();
+  for (Grade& grade : grades_) grade.weeks.close();
   for (const auto& machine : machines_) {
     machine->clock.settle(sim_.now());
     for (const auto& tool : machine->tools) {

@@ -29,6 +29,29 @@ std::optional<std::size_t> RunResult::index_of(const std::string& kpi) const {
   return std::nullopt;
 }
 
+namespace {
+
+// Each replication gives Wilson's interval of its own unattended intervals; what the run tells comes from all of
+// them together, not from the mean of the bounds.
+void pool_unattended_intervals(RunResult& result) {
+  const auto sum_of = [&](std::size_t kpi) {
+    double sum = 0;
+    for (const auto& values : result.values) sum += values[kpi].value_or(0);
+    return static_cast<std::int64_t>(sum);
+  };
+  constexpr std::string_view first = "/unattended/intervals";  // then quiet, no_stop_low, no_stop_high
+  for (std::size_t k = 0; k + 3 < result.kpis.size(); ++k) {
+    if (!result.kpis[k].name.ends_with(first)) continue;
+    const std::int64_t intervals = sum_of(k);
+    if (intervals == 0) continue;
+    const auto sure = sim::wilson_interval(sum_of(k + 1), intervals);
+    result.estimates[k + 2] = {.mean = sure.low, .samples = intervals};
+    result.estimates[k + 3] = {.mean = sure.high, .samples = intervals};
+  }
+}
+
+}  // namespace
+
 RunResult run_scenario(const scenarios::Scenario& scenario, int threads, const Progress& progress,
                        Checks checks) {
   return run_replications(scenario, 0, scenario.simulation.replications, threads, progress, checks);
@@ -80,6 +103,7 @@ RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t fi
     for (std::size_t r = 0; r < replications; ++r) column[r] = result.values[r][k];
     result.estimates.push_back(estimate(column));
   }
+  pool_unattended_intervals(result);
   return result;
 }
 

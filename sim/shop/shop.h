@@ -10,6 +10,7 @@
 // as work in process; a stop that lasts beyond it is counted when it began, with the time it took so far.
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,7 @@
 #include "sim/shop/state_clock.h"
 #include "sim/shop/strategy.h"
 #include "sim/shop/tool_body.h"
+#include "sim/shop/unattended.h"
 
 namespace verstat::shop {
 
@@ -45,6 +47,8 @@ inline constexpr std::int64_t most_batches = 1'000'000;
 inline constexpr std::int64_t most_pieces = 1'000'000'000;
 /// More events while the clock stands still are no plan: durations of zero feed each other.
 inline constexpr std::uint64_t events_at_one_instant = 5'000'000;
+
+inline constexpr double week_min = 7 * 24 * 60;
 
 /// Everything counted since the end of the warm-up about one kind of tool.
 struct ToolCounts {
@@ -282,6 +286,7 @@ class Shop {
   /// `finished` parts in the counted time, good or scrapped.
   void tool_kpis(double finished, const KpiSink& sink) const;
   void insert_kpis(double finished, const KpiSink& sink) const;
+  [[nodiscard]] static std::optional<double> cycle_availability(const MountedTool& tool);
   void reset_tool_counts();
   /// Adds laws of edges, inserts and copies that do not hold.
   void audit_tools(std::vector<std::string>& broken) const;
@@ -317,6 +322,15 @@ class Shop {
   std::vector<std::unique_ptr<Source>> sources_;  // one per part type
   std::vector<std::unique_ptr<Carrier>> carriers_;
   std::vector<ToolCounts> tools_;  // one per tool of the scenario
+  /// Inserts of one grade, whatever their shape.
+  struct Grade {
+    std::string name;
+    IntervalCount weeks;  // of inserts fitted
+  };
+  std::deque<Grade> grades_;           // by name
+  std::vector<Grade*> grade_of_tool_;  // null: no grade is given
+  std::vector<IntervalCount> weeks_of_insert_;
+  std::vector<std::size_t> insert_of_tool_;
   std::vector<PartCounts> parts_;  // one per part type
   std::vector<scenarios::Route> routes_;
   std::vector<std::vector<double>> work_left_min_;  // [part][step]: expected work on the rest of the route

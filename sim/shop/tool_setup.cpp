@@ -3,6 +3,7 @@
 #include <cmath>
 #include <limits>
 #include <map>
+#include <set>
 
 #include <fmt/format.h>
 
@@ -88,6 +89,18 @@ void Shop::build_tools() {
   const auto insert_of = [&](const scenarios::Tool& tool) {
     return tool.insert.empty() ? inserts_.size() - 1 : scenarios::index_of(scenario_.inserts, tool.insert);
   };
+  weeks_of_insert_.resize(inserts_.size());
+  std::set<std::string> grades;
+  for (const scenarios::Insert& insert : scenario_.inserts)
+    if (!insert.grade.empty()) grades.insert(insert.grade);
+  for (const std::string& grade : grades) grades_.push_back({grade, {}});
+  for (const scenarios::Tool& tool : scenario_.tools) {
+    insert_of_tool_.push_back(insert_of(tool));
+    const auto grade = std::find_if(grades_.begin(), grades_.end(), [&](const Grade& g) {
+      return g.name == inserts_[insert_of_tool_.back()].grade;
+    });
+    grade_of_tool_.push_back(grade == grades_.end() ? nullptr : &*grade);
+  }
   const auto body_of = [&](const scenarios::Tool& tool, const std::string& entity) {
     const std::size_t insert = insert_of(tool);
     return std::make_unique<ToolBody>(tool, inserts_[insert], lots_[insert].get(), seed, entity,
@@ -245,6 +258,8 @@ void Shop::reset_tool_counts() {
         element.use_min_sum = 0;
       }
     }
+  for (IntervalCount& weeks : weeks_of_insert_) weeks.restart(sim_.now(), end_min, week_min);
+  for (Grade& grade : grades_) grade.weeks.restart(sim_.now(), end_min, week_min);
   for (const auto& lots : lots_)
     if (lots) lots->reset_counts();
   for (const auto& crib : cribs_)

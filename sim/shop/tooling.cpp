@@ -192,6 +192,8 @@ double Shop::renew_teeth(MountedTool& tool, ToolBody& body, bool after_failure, 
       counts.edges_discarded += unused;  // a failure broke them
       counts.edges_fitted += insert.fit_new();
       ++counts.inserts_fitted;
+      weeks_of_insert_[insert_of_tool_[tool.index]].add(sim_.now());
+      if (grade_of_tool_[tool.index] != nullptr) grade_of_tool_[tool.index]->weeks.add(sim_.now());
       if (tool.spec->insert_booking == scenarios::InsertBooking::at_fitting)
         costs_.book(Cost::inserts, tool.insert_spec->price);
     }

@@ -206,3 +206,45 @@ TEST_CASE("the order of lists changes nothing", "[shop][random]") {
     }
   });
 }
+
+// Three lathes in one group, or three groups of one with the same names.
+TEST_CASE("splitting a group of machines changes no bit", "[shop]") {
+  json text = scenarios_of("heavy-lathe");
+  json& lathe = text["machines"][0];
+  lathe["count"] = 3;
+  lathe["name"] = "lathe";
+  lathe["failures"] = {{{"name", "drive"},
+                        {"clock", "operating"},
+                        {"time_to_failure", exponential(900)},
+                        {"repair", exponential(40)},
+                        {"effect", "after_part"}}};
+  for (json& operation : text["operations"]) operation["machine"] = "lathe";
+  text["simulation"]["replications"] = 3;
+  json split = text;
+  split["machines"].clear();
+  json names = json::array();
+  for (int k = 1; k <= 3; ++k) {
+    json one = lathe;
+    one.erase("count");
+    one["name"] = "lathe " + std::to_string(k);
+    names.push_back(one["name"]);
+    split["machines"].push_back(one);
+  }
+  for (json& operation : split["operations"]) {
+    operation.erase("machine");
+    operation["machines"] = names;
+  }
+  const auto whole = run(text);
+  const auto parts = run(split);
+  std::size_t compared = 0;
+  for (std::size_t k = 0; k < whole.kpis.size(); ++k) {
+    if (whole.kpis[k].name.starts_with("queue/")) continue;  // one queue or three
+    INFO(whole.kpis[k].name);
+    const auto other = parts.index_of(whole.kpis[k].name);
+    REQUIRE(other.has_value());
+    for (std::size_t r = 0; r < whole.values.size(); ++r)
+      CHECK(whole.values[r][k] == parts.values[r][*other]);
+    ++compared;
+  }
+  CHECK(compared > 100);
+}
