@@ -124,6 +124,7 @@ void Shop::build_machines() {
       machines_.push_back(std::make_unique<MachineUnit>(scenario_, machine_name(machine, k), group,
                                                         machines_.size(), sim_, replication_));
       MachineUnit& unit = *machines_.back();
+      group.machines.push_back(&unit);
       for (const scenarios::FailureMode& mode : machine.failures) {
         auto stop = std::make_unique<Stop>(seed, unit.name + "/" + mode.name, replication_);
         stop->failure = &mode;

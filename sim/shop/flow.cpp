@@ -321,6 +321,8 @@ sim::Task<void> Shop::pass_on(MachineUnit& machine, Job& job) {
   if (!has_room(to, job)) {
     job.enter(Phase::blocked, sim_.now());
     enter(machine, MachineState::blocked);
+    machine.waits_for = to;
+    look_for_standstill(machine);
     sim::Signal& room = to.store != route_end ? stores_[to.store]->room : groups_[to.group]->room;
     co_await room.wait_until([&] { return has_room(to, job); });
   }
@@ -344,6 +346,7 @@ sim::Task<void> Shop::pass_on(MachineUnit& machine, Job& job) {
     if (carrier->on_board >= conveyor->capacity) {
       job.enter(Phase::blocked, sim_.now());
       enter(machine, MachineState::blocked);
+      machine.waits_for = Place();
       co_await carrier->room.wait_until([&] { return carrier->on_board < conveyor->capacity; });
     }
     ++carrier->on_board;

@@ -264,6 +264,15 @@ void Shop::shop_kpis(const KpiSink& sink) const {
        work_in_process_.mean(sim_.now()));
   sink(KpiInfo{"lead_time_min", "min", "mean time from the start or arrival of a part to its end"},
        ratio(lead_time_min, finished));
+  if (can_block_) {
+    const double from_min = std::max(stands_since_min_.value_or(sim_.now()), scenario_.simulation.warmup_min);
+    sink(
+        KpiInfo{
+            "standstill_share", "1",
+            "share of the time in which machines that block each other stand for good; not 0: give more room "
+            "or let fewer parts in"},
+        ratio(sim_.now() - from_min, window_min()));
+  }
   const auto quantile = [&](double p) -> std::optional<double> {
     if (lead_times_.count() == 0) return std::nullopt;
     return lead_times_.quantile(p);

@@ -31,8 +31,8 @@ std::optional<std::size_t> RunResult::index_of(const std::string& kpi) const {
 
 namespace {
 
-// Each replication gives Wilson's interval of its own unattended intervals; what the run tells comes from all of
-// them together, not from the mean of the bounds.
+// Each replication gives Wilson's interval of its own unattended intervals; what the run tells comes from all
+// of them together, not from the mean of the bounds.
 void pool_unattended_intervals(RunResult& result) {
   const auto sum_of = [&](std::size_t kpi) {
     double sum = 0;
@@ -74,11 +74,12 @@ RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t fi
     std::uint64_t events;
     std::uint64_t event_order;
     std::vector<std::string> broken_laws;
+    std::string standstill;
   };
   const auto one = [&](std::size_t replication) {
     Shop shop(scenario, first + replication);
     if (checks == Checks::on) shop.watch_event_order();
-    Outcome outcome{shop.run(), shop.events_executed(), shop.event_order(), {}};
+    Outcome outcome{shop.run(), shop.events_executed(), shop.event_order(), {}, shop.standstill()};
     if (checks == Checks::on)
       for (const std::string& law : shop.audit())
         outcome.broken_laws.push_back(fmt::format("replication {}: {}", first + replication, law));
@@ -95,6 +96,9 @@ RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t fi
     result.events += outcome.events;
     event_order.add(outcome.event_order);
     for (std::string& law : outcome.broken_laws) result.broken_laws.push_back(std::move(law));
+    if (!outcome.standstill.empty())
+      result.standstills.push_back(
+          fmt::format("replication {}, {}", first + result.values.size(), outcome.standstill));
     result.values.push_back(std::move(outcome.values));
   }
   if (checks == Checks::on) result.event_order = event_order.value();

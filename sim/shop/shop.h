@@ -102,6 +102,8 @@ class Shop {
   /// Before run(): keep a fingerprint of which process went on when. Slower by about a half.
   void watch_event_order();
   [[nodiscard]] std::uint64_t event_order() const { return event_order_.value(); }
+  /// After run(): which machines blocked each other for good, and since when. Empty: none did.
+  [[nodiscard]] std::string standstill() const;
   /// After run(): laws of conservation that do not hold, in words. Empty when all is well.
   [[nodiscard]] std::vector<std::string> audit() const;
 
@@ -118,6 +120,7 @@ class Shop {
   struct Source;
   struct Carrier;
   struct Fleet;
+  struct Movement;  // standstill.cpp
   /// An operation on one group of machines. What every part asks stands first, together: a large plant lives
   /// or dies by the memory it touches.
   struct PlannedOperation {
@@ -271,6 +274,9 @@ class Shop {
   void finish(Job& job);
   void count_lead_time(const Job& job, std::int64_t quantity);
 
+  // standstill.cpp
+  void look_for_standstill(const MachineUnit& blocked);
+
   // kpis.cpp, tool_kpis.cpp
   void simulate_until(double time_min);
   void reset_counts();
@@ -338,6 +344,8 @@ class Shop {
   std::vector<Group*> assembling_groups_;  // that start assemblies from blanks that are always available
   bool can_block_ = false;                 // a place in the shop can be full
   bool has_off_line_tools_ = false;
+  std::optional<double> stands_since_min_;
+  std::string standstill_;                  // who holds what for whom
   sim::TimeWeighted work_in_process_{0.0};  // parts in the shop
   sim::QuantileSketch lead_times_;
   std::uint64_t next_number_ = 0;

@@ -23,9 +23,10 @@ struct Shop::Group {
   std::size_t index;
   std::int64_t on_their_way = 0;  // batches sent here that have not arrived: their room is taken
   std::int64_t in_work = 0;
-  std::int64_t queue_capacity;               // the largest number: none
-  std::deque<Job*> queue;                    // in order of arrival
-  std::deque<MachineUnit*> idle;             // machines that wait for work, who waits longest first
+  std::int64_t queue_capacity;    // the largest number: none
+  std::deque<Job*> queue;         // in order of arrival
+  std::deque<MachineUnit*> idle;  // machines that wait for work, who waits longest first
+  std::vector<const MachineUnit*> machines;
   sim::Signal room;                          // the queue has become shorter
   std::vector<std::size_t> unlimited_parts;  // part types that are always available and start here
   std::vector<std::size_t> releases;         // part types whose release waits for this queue to shorten
@@ -180,6 +181,7 @@ struct Shop::MachineUnit {
   sim::Store<Job*> inbox;                // a batch handed over to an idle machine
   std::optional<std::size_t> attendant;  // crew of whoever stays with the machine
   std::optional<std::size_t> family;
+  Place waits_for;  // when it is blocked; nowhere: on a conveyor that is full
   std::uint64_t parts_rejected = 0;
   std::uint64_t setups = 0;
   std::uint64_t failures = 0;

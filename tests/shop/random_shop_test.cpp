@@ -153,10 +153,17 @@ json random_shop() {
   return shop;
 }
 
+bool on_shifts(const json& shop) {
+  for (const json& machine : shop["machines"])
+    if (machine.contains("calendar")) return true;
+  return false;
+}
+
 }  // namespace
 
 TEST_CASE("random shops conserve parts, time and money", "[shop][random]") {
   int run_shops = 0;
+  int dead_shops = 0;
   // A property is tried a hundred times, each with twenty shops.
   property("conservation", [&] {
     for (int twenty = 0; twenty < 20; ++twenty) {
@@ -172,11 +179,23 @@ TEST_CASE("random shops conserve parts, time and money", "[shop][random]") {
         if (infos[k].name == "cost_per_part") whole = values[k];
         if (infos[k].name.starts_with("cost/") && values[k]) sum += *values[k];
       }
+      // What is said to stand for good never moves again.
+      double longest_blocked = 0;
+      double standstill = 0;
+      for (std::size_t k = 0; k < infos.size(); ++k) {
+        if (infos[k].name.ends_with("/state/blocked"))
+          longest_blocked = std::max(longest_blocked, *values[k]);
+        if (infos[k].name == "standstill_share") standstill = *values[k];
+      }
+      RC_ASSERT(one.standstill().empty() == (standstill == 0));
+      if (standstill > 0) ++dead_shops;
+      if (!on_shifts(text)) RC_ASSERT(longest_blocked >= standstill - 1e-9);
       if (whole) RC_ASSERT(std::abs(sum - *whole) <= 1e-12 * std::abs(*whole));
       ++run_shops;
     }
   });
   CHECK(run_shops == 2000);
+  CHECK(dead_shops > 0);
 }
 
 TEST_CASE("the order of lists changes nothing", "[shop][random]") {
