@@ -27,8 +27,8 @@ namespace {
 void report_standstills(const shop::RunResult& result) {
   if (result.standstills.empty()) return;
   fmt::print(stderr,
-             "warning: machines block each other for good in {} of {} replications; {}. Give them more room "
-             "(queue_capacity, capacity of stores) or let fewer batches in (release)\n",
+             "warning: machines stand for good in {} of {} replications; {}. Give them more room "
+             "(queue_capacity, capacity of stores), let fewer batches in (release) or have more people\n",
              result.standstills.size(), result.values.size(), result.standstills.front());
 }
 

@@ -209,6 +209,7 @@ void Shop::build_flow() {
 }
 
 void Shop::start() {
+  labour_->on_standstill = [this](const std::vector<Labour::Wait>& waits) { note_standstill(waits); };
   labour_->start();
   for (const auto& source : sources_) {
     if (!std::holds_alternative<scenarios::AlwaysAvailable>(source->spec->supply)) {

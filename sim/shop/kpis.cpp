@@ -264,14 +264,12 @@ void Shop::shop_kpis(const KpiSink& sink) const {
        work_in_process_.mean(sim_.now()));
   sink(KpiInfo{"lead_time_min", "min", "mean time from the start or arrival of a part to its end"},
        ratio(lead_time_min, finished));
-  if (can_block_) {
+  if (can_block_ || scenario_.crews.size() > 1) {
     const double from_min = std::max(stands_since_min_.value_or(sim_.now()), scenario_.simulation.warmup_min);
-    sink(
-        KpiInfo{
-            "standstill_share", "1",
-            "share of the time in which machines that block each other stand for good; not 0: give more room "
-            "or let fewer parts in"},
-        ratio(sim_.now() - from_min, window_min()));
+    sink(KpiInfo{"standstill_share", "1",
+                 "share of the time in which machines stand for good: they block each other or keep each "
+                 "other's people"},
+         ratio(sim_.now() - from_min, window_min()));
   }
   const auto quantile = [&](double p) -> std::optional<double> {
     if (lead_times_.count() == 0) return std::nullopt;

@@ -104,7 +104,6 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
   CrewHold attending;
   if (attendance && attendance->during == Attendance::always) {
     attending = co_await call_crew(machine, group.attendance_crews, Cost::labour);
-    machine.attendant = attending.crew();
   }
   const std::size_t family = operations_[routes_[job.part][job.step].operation].family;
   if (group.spec->setup && machine.family != family) co_await set_up(machine, family);
@@ -130,7 +129,6 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
     else if (leaves_defect(machine, operation))
       ++job.defects;
   }
-  machine.attendant.reset();
   attending.release();
 
   if (rejected > 0) reject(machine, job, rejected);
@@ -234,12 +232,12 @@ sim::Task<CrewHold> Shop::call_crew(MachineUnit& machine, const std::vector<std:
                                     std::int64_t priority, MachineState waiting, MountedTool* tool) {
   CrewHold hold;
   if (crews.empty()) co_return hold;
-  // Whoever stays with the machine does what is to be done, when it is their trade.
-  if (machine.attendant && std::find(crews.begin(), crews.end(), *machine.attendant) != crews.end())
-    co_return hold;
+  // Whoever is at the machine already does what is to be done, when it is their trade.
+  if (labour_->present(machine.index, crews)) co_return hold;
   enter(machine, waiting, tool);
   const bool tends = heading == Cost::labour;
-  hold = co_await labour_->call(crews, priority, heading, tends ? Labour::Hands::one : Labour::Hands::all);
+  hold = co_await labour_->call(crews, priority, heading, tends ? Labour::Hands::one : Labour::Hands::all,
+                                machine.index);
   const double walk_min = hold.walking_min();
   if (walk_min > 0) co_await sim_.delay(walk_min);
   co_return hold;

@@ -276,6 +276,7 @@ class Shop {
 
   // standstill.cpp
   void look_for_standstill(const MachineUnit& blocked);
+  void note_standstill(const std::vector<Labour::Wait>& waits);
 
   // kpis.cpp, tool_kpis.cpp
   void simulate_until(double time_min);

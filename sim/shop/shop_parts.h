@@ -178,8 +178,7 @@ struct Shop::MachineUnit {
   double planned_min = 0;  // main time of the parts done, as planned
   std::uint64_t active_periods = 0;
   StateClock clock;
-  sim::Store<Job*> inbox;                // a batch handed over to an idle machine
-  std::optional<std::size_t> attendant;  // crew of whoever stays with the machine
+  sim::Store<Job*> inbox;  // a batch handed over to an idle machine
   std::optional<std::size_t> family;
   Place waits_for;  // when it is blocked; nowhere: on a conveyor that is full
   std::uint64_t parts_rejected = 0;

@@ -81,6 +81,15 @@ std::string Shop::standstill() const {
   return stands_since_min_ ? fmt::format("from {:.6g} min on: {}", *stands_since_min_, standstill_) : "";
 }
 
+void Shop::note_standstill(const std::vector<Labour::Wait>& waits) {
+  if (stands_since_min_) return;
+  stands_since_min_ = sim_.now();
+  for (std::size_t k = 0; k < std::min(waits.size(), machines_named); ++k)
+    standstill_ += fmt::format("{}\"{}\" keeps one of \"{}\" and waits for \"{}\"", k == 0 ? "" : ", ",
+                               machines_[waits[k].machine]->name, scenario_.crews[waits[k].keeps].name,
+                               scenario_.crews[waits[k].wants].name);
+}
+
 // Asked whenever a machine is blocked; nearly always a machine behind the full place is at work and that is
 // all.
 void Shop::look_for_standstill(const MachineUnit& blocked) {

@@ -99,3 +99,57 @@ TEST_CASE("a line that blocks and fails all day is no standstill", "[shop][stand
   CHECK(busy.standstills.empty());
   CHECK(*kpi(busy, "machine/lathe/state/blocked").mean > 0.5);
 }
+
+namespace {
+
+// The lathe is attended by an operator who also mends; the setter changes over lathe and mill.
+json two_trades(int operators) {
+  json shop = crossing(5);
+  for (json& m : shop["machines"]) {
+    m.erase("queue_capacity");
+    m["setup"] = {{"time", exponential(3)}, {"crew", "setters"}};
+  }
+  shop["machines"][0]["attendance"] = {{"crew", "operators"}, {"during", "always"}};
+  shop["machines"][1]["failures"] = {{{"name", "f"},
+                                      {"clock", "calendar"},
+                                      {"time_to_failure", exponential(40)},
+                                      {"repair", exponential(4)},
+                                      {"crew", "operators"},
+                                      {"effect", "at_once"}}};
+  shop["crews"] = {{{"name", "operators"}, {"members", operators}}, {{"name", "setters"}, {"members", 1}}};
+  return shop;
+}
+
+}  // namespace
+
+TEST_CASE("machines that keep each other's people stand for good", "[shop][standstill]") {
+  const auto dead = run(two_trades(1));
+  REQUIRE(dead.standstills.size() == 4);
+  INFO(dead.standstills[0]);
+  CHECK(dead.standstills[0].find(R"("lathe" keeps one of "operators" and waits for "setters")") !=
+        std::string::npos);
+  CHECK(dead.standstills[0].find(R"("mill" keeps one of "setters" and waits for "operators")") !=
+        std::string::npos);
+  CHECK(*kpi(dead, "machine/lathe/state/waiting_crew").mean > 0.5);
+  const auto moving = run(two_trades(2));
+  CHECK(moving.standstills.empty());
+  CHECK(*kpi(moving, "parts_good").mean > 9000);
+}
+
+TEST_CASE("whoever is at the machine mends it, nobody waits for himself", "[shop][standstill]") {
+  json shop = small_shop(always(), constant(6));
+  shop["machines"][0]["loading"] = constant(4);
+  shop["machines"][0]["attendance"] = {{"crew", "operator"}, {"during", "loading"}};
+  shop["machines"][0]["failures"] = {{{"name", "f"},
+                                      {"clock", "calendar"},
+                                      {"time_to_failure", exponential(100)},
+                                      {"repair", constant(10)},
+                                      {"crew", "operator"},
+                                      {"effect", "at_once"}}};
+  shop["crews"] = {{{"name", "operator"}, {"members", 1}}};
+  const auto result = run(shop);
+  // On the calendar a failure comes 100 min after the last repair: ten of 110 min are lost.
+  CHECK(*kpi(result, "machine/m/state/repair").mean == Approx(10.0 / 110).epsilon(0.03));
+  CHECK(*kpi(result, "machine/m/state/waiting_repair").mean == 0);
+  CHECK(*kpi(result, "throughput_per_h").mean == Approx(6.0 * 100 / 110).epsilon(0.01));
+}
