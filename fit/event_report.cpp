@@ -79,6 +79,12 @@ ordered_json written_duration(Report& report, const std::string& what, const Dur
   return duration.value;
 }
 
+// For the provenance: "maximum likelihood (weibull)".
+std::string how_written(const ordered_json& duration) {
+  const std::string kind = duration["kind"].get<std::string>();
+  return kind == "empirical" ? "observed values" : fmt::format("maximum likelihood ({})", kind);
+}
+
 }  // namespace
 
 ScenarioDuration duration_of(const DurationFit& fit, Written written) {
@@ -222,8 +228,14 @@ Report report_downtime(const DowntimeLog& log, const EventReportOptions& options
       if (chosen && !target.to_repair.empty())
         throw InputError("", fmt::format("--to-repair {}: {}", target.to_repair, e.what()));
     }
-    if (failure.contains("time_to_failure") && failure.contains("repair"))
-      report.library.push_back({"failure", failure["name"].get<std::string>(), failure, origin});
+    if (failure.contains("time_to_failure") && failure.contains("repair")) {
+      Origin own = origin;
+      own.rows_used = repairs.repairs.size();
+      own.method = fmt::format("{} of times to failure on the {} clock, {} of repairs",
+                               how_written(failure["time_to_failure"]), name_of(target.clock),
+                               how_written(failure["repair"]));
+      report.library.push_back({"failure", failure["name"].get<std::string>(), failure, own});
+    }
     report.json["modes"].push_back(j);
   }
   if (wants_changes && !mode_found)
@@ -244,12 +256,15 @@ ordered_json weekly_profile(const ArrivalLog& log) {
   if (!log.calendar)
     throw InputError("", "--as profile: the arrivals have no dates, so the log shows no week");
   // A slot that the shop works for a part only cannot stand as a whole one.
-  const double whole_h = log.dates_only ? 24 : 1;
-  for (const RateSlot& slot : log.dates_only ? log.weekdays : log.hours)
-    if (std::fmod(slot.exposure_h, whole_h) != 0)
-      throw InputError(
-          "", log.dates_only ? "--as profile: the arrivals have dates only, which say nothing of --hours"
-                             : "--as profile: --hours must begin and end with an hour, such as 07:00-15:00");
+  if (log.dates_only)
+    for (const RateSlot& day : log.weekdays)
+      if (std::fmod(day.exposure_h, 24) != 0)
+        throw InputError("", "--as profile: the arrivals have dates only, which say nothing of --hours");
+  double whole_h = 0;
+  for (const RateSlot& hour : log.hours) whole_h = std::max(whole_h, hour.exposure_h);
+  for (const RateSlot& hour : log.hours)
+    if (hour.exposure_h > 0 && hour.exposure_h != whole_h)
+      throw InputError("", "--as profile: --hours must begin and end with an hour, such as 07:00-15:00");
   double arrivals = 0;
   double exposure_h = 0;
   for (const RateSlot& day : log.weekdays) {
@@ -376,6 +391,7 @@ Report report_arrivals(const ArrivalLog& log, const EventReportOptions& options,
     case SupplyForm::law:
       supply = {{"kind", "interarrival"},
                 {"time", written_duration(report, "time between arrivals", fit, options.written)}};
+      origin.method = how_written(supply["time"]) + " of times between arrivals";
       break;
     case SupplyForm::profile:
       origin.method = "rates over the week by maximum likelihood";
@@ -413,7 +429,10 @@ Report report_cycles(const CycleLog& log, const EventReportOptions& options, con
       j["cycle"] = duration_json(fit);
       add_duration_lines(report, what, fit);
       const ordered_json duration = written_duration(report, what, fit, options.written);
-      report.library.push_back({"duration", what, duration, origin});
+      Origin own = origin;
+      own.rows_used = group.times.size();
+      own.method = fmt::format("{} of cycle times of \"{}\"", how_written(duration), what);
+      report.library.push_back({"duration", what, duration, own});
       if (!pointer.empty()) report.changes.push_back({pointer, duration});
     } catch (const FitError& e) {
       if (!pointer.empty()) throw InputError("", fmt::format("--to {}: {}: {}", pointer, what, e.what()));

@@ -272,6 +272,7 @@ Report report_lives(const RemovalLog& log, const LifeAnalysisOptions& options, c
     if (chosen != nullptr && in_minutes) {
       const FittedLaw& law = chosen->law;
       Origin own = origin;
+      own.rows_used = group.lives.size();
       own.method = fmt::format("censored maximum likelihood, {} law, {} failures of {} edges",
                                name_of(law.family), a.failures, a.edges);
       ordered_json life = {{"law", name_of(law.family)}};

@@ -60,8 +60,9 @@ std::string workbook_as_table(const std::string& path, const std::string& sheet)
 
   // A file named -d is no flag.
   const std::string file = path.starts_with('-') ? "./" + path : path;
-  std::vector<std::string> words = {"xlsx2csv",          "--delimiter",      ";",    "--dateformat",
-                                    "%Y-%m-%d %H:%M:%S", "--ignore-formats", "float"};
+  // --ignore-formats takes every word up to the next flag.
+  std::vector<std::string> words = {"xlsx2csv",          "--ignore-formats", "float", "--dateformat",
+                                    "%Y-%m-%d %H:%M:%S", "--delimiter",      ";"};
   if (!sheet.empty()) words.push_back("--sheetname=" + sheet);
   words.push_back(file);
   std::vector<char*> arguments;

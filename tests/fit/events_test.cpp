@@ -4,12 +4,14 @@
 #include <fstream>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "fit/arrival_log.h"
 #include "fit/cycle_log.h"
 #include "fit/downtime_log.h"
 #include "fit/duration_fit.h"
+#include "fit/event_report.h"
 #include "fit/fit_error.h"
 #include "models/math/normal.h"
 #include "scenarios/json_text.h"
@@ -170,11 +172,47 @@ TEST_CASE("cycle times of two kinds of part: no law, the quantiles stand", "[fit
   CHECK(fit.quantiles[50] == Approx(2).margin(0.2));
   CHECK(fit.quantiles[90] == Approx(5).margin(0.2));
   CHECK(fit.largest_gap > 0.1);
+  // A scenario then gets the observations themselves.
+  const ScenarioDuration written = duration_of(fit);
+  CHECK(written.law == "empirical");
+  REQUIRE(written.value["values_min"].size() == 200);
+  CHECK_FALSE(written.value.contains("weights"));
+  CHECK(written.value["values_min"][0] == fit.least);
   // Always the same.
   const DurationFit same = fit_durations({exact_life(3), exact_life(3)}, 99, 1);
   CHECK(same.constant);
   CHECK(same.laws.empty());
   CHECK_THROWS_AS(fit_durations({exact_life(3)}, 99, 1), FitError);
+}
+
+TEST_CASE("observations as a duration: counts, unfinished times, and quantiles of very many", "[fit]") {
+  // Three of five seen once, one twice.
+  const DurationFit counted =
+      fit_durations({exact_life(4), exact_life(2), exact_life(4), exact_life(9), exact_life(5)}, 39, 1);
+  const auto written = duration_of(counted, Written::observations);
+  CHECK(written.value["values_min"] == nlohmann::json({2, 4, 5, 9}));
+  CHECK(written.value["weights"] == nlohmann::json({1, 2, 1, 1}));
+  // Kaplan-Meier by hand: 2 of 4 (1/4), then 1 of 2 at risk at 6 (3/8); the unfinished one at 8 leaves 3/8
+  // to 6.
+  const DurationFit unfinished =
+      fit_durations({exact_life(2), survived(3), exact_life(6), survived(8)}, 39, 1);
+  CHECK(unfinished.distinct == std::vector<double>({2, 6}));
+  CHECK(unfinished.weights[0] == Approx(0.25));
+  CHECK(unfinished.weights[1] == Approx(0.75));
+  CHECK(unfinished.weight_beyond == Approx(0.375));
+  // More different values than a scenario wants to carry: the same distribution by its quantiles.
+  std::vector<Observation> many;
+  RandomStream stream(31, "operation", "many");
+  for (int k = 0; k < 5000; ++k) many.push_back(exact_life(stream.uniform(1, 3)));
+  const DurationFit fit = fit_durations(many, 39, 1);
+  const auto quantiles = duration_of(fit, Written::observations);
+  REQUIRE(quantiles.value["values_min"].size() == 1001);
+  CHECK(quantiles.value["values_min"][0] == fit.least);
+  CHECK(quantiles.value["values_min"][1000] == Approx(fit.most).epsilon(1e-12));
+  for (const int q : {100, 500, 900})
+    CHECK(quantiles.value["values_min"][static_cast<std::size_t>(q)] ==
+          Approx(1 + 2 * q / 1000.0).margin(0.05));
+  CHECK(duration_of(fit_durations({exact_life(3), exact_life(3)}, 39, 1)).law == "constant");
 }
 
 TEST_CASE("arrivals: Poisson in the day shift is seen as such", "[fit]") {

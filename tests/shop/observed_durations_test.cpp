@@ -53,8 +53,10 @@ TEST_CASE("a machine with observed cycle times makes one part per mean of them",
                                       std::string(between) == "step" ? operations::BetweenValues::step
                                                                      : operations::BetweenValues::linear});
     const shop::Estimate made = kpi(result, "throughput_per_h");
-    INFO(between << " " << made.mean << " +- " << made.half_width << " of " << 60 / law.mean());
-    CHECK(std::abs(made.mean - 60 / law.mean()) < 3 * made.half_width);
+    REQUIRE(made.mean);
+    REQUIRE(made.half_width);
+    INFO(between << " " << *made.mean << " +- " << *made.half_width << " of " << 60 / law.mean());
+    CHECK(std::abs(*made.mean - 60 / law.mean()) < 3 * *made.half_width);
   }
 }
 
