@@ -164,9 +164,9 @@ Report report_lives(const RemovalLog& log, const LifeAnalysisOptions& options, c
                  {"gamma", a.gamma},
                  {"gamma_percent_life", bounded_json(a.gamma_percent_life)},
                  {"longest_observed", a.longest}};
-    report.lines.push_back(fmt::format("  {} {}: {} {}", name_of(best.family), first_name(best.family),
+    report.lines.push_back(fmt::format("  {} {}: {}{}", name_of(best.family), first_name(best.family),
                                        with_bounds(a.first.estimate, a.first.bounds),
-                                       best.family == LifeFamily::lognormal ? "" : log.unit));
+                                       best.family == LifeFamily::lognormal ? "" : " " + log.unit));
     if (best.parameters() == 2)
       report.lines.push_back(
           fmt::format("  {}: {}", second_name(best.family), with_bounds(a.second.estimate, a.second.bounds)));
