@@ -1,4 +1,5 @@
 // Downtime, arrivals, cycles: trend before renewal, the right clock, laws or the observations themselves.
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -250,6 +251,53 @@ TEST_CASE("arrivals: Poisson in the day shift is seen as such", "[fit]") {
   CHECK(fit.values == log.between.size());
   const File mixed("Date;Quantity\n2027-02-01;1\n17;1\n18;1\n19;2\n");
   CHECK_THROWS_WITH(read_arrivals(mixed.path(), {}, 0.95), Contains("cannot be one time axis"));
+}
+
+TEST_CASE("a known profile of the week comes back as a weekly profile", "[fit]") {
+  // 2 an hour in the morning, 4 after noon, Fridays half of it, nothing at night and at weekends; 28 weeks.
+  const auto rate = [](int weekday, int hour) {
+    if (weekday > 4 || hour < 8 || hour >= 16) return 0.0;
+    return (hour < 12 ? 2.0 : 4.0) * (weekday == 4 ? 0.5 : 1.0);
+  };
+  RandomStream stream(37, "orders", "profile");
+  std::string text = "Date\n";
+  const auto two = [](int x) { return (x < 10 ? "0" : "") + std::to_string(x); };
+  for (int day = 0; day < 7 * 28; ++day)
+    for (int hour = 8; hour < 16; ++hour) {
+      if (!(rate(day % 7, hour) > 0)) continue;
+      for (double t = stream.exponential(60 / rate(day % 7, hour)); t < 60;
+           t += stream.exponential(60 / rate(day % 7, hour))) {
+        // 1 February 2027 is a Monday.
+        const std::chrono::sys_days date =
+            std::chrono::sys_days(std::chrono::year(2027) / 2 / 1) + std::chrono::days(day);
+        const std::chrono::year_month_day ymd(date);
+        text += std::to_string(static_cast<int>(ymd.year())) + "-" +
+                two(static_cast<int>(static_cast<unsigned>(ymd.month()))) + "-" +
+                two(static_cast<int>(static_cast<unsigned>(ymd.day()))) + " " + two(hour) + ":" +
+                two(static_cast<int>(t)) + "\n";
+      }
+    }
+  const File file(text);
+  const ArrivalLog log = read_arrivals(file.path(), {}, 0.95);
+  EventReportOptions options;
+  options.goodness_samples = 19;
+  const Report report =
+      report_arrivals(log, options, SupplyForm::profile, "/parts/0/supply", "orders", {.file = "orders.csv"});
+  REQUIRE(report.changes.size() == 1);
+  const auto& supply = report.changes[0].value;
+  CHECK(supply["kind"] == "weekly_profile");
+  std::vector<double> per_h(168, 0.0);
+  for (const auto& period : supply["rates"])
+    for (int hour = period["from_h"]; hour < period["to_h"]; ++hour)
+      per_h[static_cast<std::size_t>(hour)] = period["per_h"];
+  // Arrivals within one minute are one arrival: 60 (1 - exp(-rate / 60)) are seen.
+  for (int hour = 0; hour < 168; ++hour) {
+    INFO(hour);
+    const double truth = 60 * -std::expm1(-rate(hour / 24, hour % 24) / 60);
+    CHECK(per_h[static_cast<std::size_t>(hour)] == Approx(truth).epsilon(0.2));
+  }
+  REQUIRE(report.library.size() == 1);
+  CHECK(report.library[0].kind == "supply");
 }
 
 TEST_CASE("working time: a shift from Monday to Friday", "[fit]") {
