@@ -280,6 +280,14 @@ TEST_CASE("wear curves, stops, orders and cycles become changes that the loader 
     INFO(run.err);
     CHECK(run.exit_code == 0);
   }
+  // A time to failure takes its clock along.
+  const json mode = json::parse(call("fit downtime " + examples +
+                                     "downtime.csv --mode spindle --clock calendar --json --to-failure "
+                                     "/machines/0/failures/0/time_to_failure")
+                                    .out)["patch"]["changes"];
+  REQUIRE(mode.size() == 2);
+  CHECK(mode[0]["value"]["kind"] == "weibull");
+  CHECK(mode[1] == json{{"pointer", "/machines/0/failures/0/clock"}, {"value", "calendar"}});
   // The exponents that made the wear readings were 3.2 and 1.1.
   const json j = json::parse(call("fit taylor " + examples + "wear.csv --json --to /inserts/0").out);
   const json& exponents = j["groups"][0]["fits"][0]["exponents"];
