@@ -123,8 +123,8 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
     if (group.unloading_time) co_await load(machine, true);
     machine.parts += 1;
     ++machine.parts_done;
-    machine.planned_min += operation.plan.main_time_min;
-    costs_.book(Cost::operations, operation.spec->cost);
+    machine.planned_min += operation.main_time_min;
+    costs_.book(Cost::operations, operation.cost);
     if (machine.part_spoiled)
       ++rejected;
     else if (leaves_defect(machine, operation))
@@ -134,7 +134,7 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
   attending.release();
 
   if (rejected > 0) reject(machine, job, rejected);
-  if ((operation.spec->inspection || operation.plan.detection) && job.quantity > 0) {
+  if (operation.inspects && job.quantity > 0) {
     const std::int64_t found = inspect(machine, operation, job);
     if (found > 0) reject(machine, job, found);
   }
@@ -176,14 +176,13 @@ sim::Task<void> Shop::load(MachineUnit& machine, bool unloading) {
 
 sim::Task<void> Shop::work_on_part(MachineUnit& machine, const PlannedOperation& operation) {
   const double main_time_min =
-      operation.time_law ? operation.time_law->sample(machine.duration_stream) : operation.plan.main_time_min;
-  const bool wears = operation.plan.edge.has_value() && !operation.spec->tool.empty();
-  if (wears || !operation.element_mean_min.empty()) {
-    MountedTool& tool = *machine.tools.at(operation.spec->tool);
+      operation.time_law ? operation.time_law->sample(machine.duration_stream) : operation.main_time_min;
+  if (operation.uses_tool) {
+    MountedTool& tool = *machine.tools[operation.tool_slot];
     co_await cut(machine, tool, operation, main_time_min);
-    if (wears && breaks(machine, operation)) {
+    if (operation.wears && breaks(machine, operation)) {
       if (tool.scrap_stream.uniform() < tool.spec->failure_scrap_probability) machine.part_spoiled = true;
-      co_await change_edge(machine, tool, true, operation.plan.edge->mean_min);
+      co_await change_edge(machine, tool, true, operation.mean_life_min);
       tool.clock.enter(MachineState::idle, sim_.now());
     }
     machine.part_wear = tool.body->largest_wear();
