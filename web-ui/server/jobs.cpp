@@ -340,10 +340,10 @@ class Jobs::Queue {
         std::size_t kept = 0;
         std::size_t bytes = 0;
         for (auto one = jobs_.rbegin(); one != jobs_.rend(); ++one) {
-          auto& output = one->second.status.output;
-          if (!output) continue;
-          bytes += output->size();
-          if (++kept > most_outputs || (kept > 1 && bytes > most_output)) output = nullptr;
+          auto& kept_output = one->second.status.output;
+          if (!kept_output) continue;
+          bytes += kept_output->size();
+          if (++kept > most_outputs || (kept > 1 && bytes > most_output)) kept_output = nullptr;
         }
       }
       job.status.elapsed_s = seconds_since(job.start);
