@@ -133,23 +133,27 @@ TEST_CASE("crews in the trace work as long as their utilization says, never twic
   CHECK(compact_text.str().size() * 3 < full_text.str().size());
   std::size_t lines = 1;
   for (const char* list : {"machines", "crews"}) {
-    REQUIRE(full[list].size() == compact[list].size());
-    for (std::size_t r = 0; r < full[list].size(); ++r) {
-      const json& intervals = full[list][r]["intervals"];
-      const json& row = compact[list][r];
+    REQUIRE(full.at(list).size() == compact.at(list).size());
+    for (std::size_t r = 0; r < full.at(list).size(); ++r) {
+      const json& intervals = full.at(list).at(r).at("intervals");
+      const json& row = compact.at(list).at(r);
       lines += intervals.size();
-      REQUIRE(row["until"].size() == intervals.size());
+      REQUIRE(row.at("until").size() == intervals.size());
       for (std::size_t k = 0; k < intervals.size(); ++k) {
-        REQUIRE(std::abs(row["until"][k].get<double>() - intervals[k][1].get<double>()) <= 0.5001e-4);
-        REQUIRE(compact["states"][row["state"][k].get<std::size_t>()] == intervals[k][2]);
-        if (row.contains("machine") && row["machine"][k] >= 0)
-          REQUIRE(compact["machines"][row["machine"][k].get<std::size_t>()]["name"] == intervals[k][3]);
+        const double until = row.at("until").at(k).get<double>();
+        REQUIRE(std::abs(until - intervals.at(k).at(1).get<double>()) <= 0.5001e-4);
+        REQUIRE(compact.at("states").at(row.at("state").at(k).get<std::size_t>()) == intervals.at(k).at(2));
+        const int machine = row.contains("machine") ? row.at("machine").at(k).get<int>() : -1;
+        if (machine < 0) continue;
+        REQUIRE(intervals.at(k).size() == 4);
+        REQUIRE(compact.at("machines").at(static_cast<std::size_t>(machine)).at("name") ==
+                intervals.at(k).at(3));
       }
     }
   }
   const std::string text = csv.str();
   CHECK(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) == lines);
-  CHECK(full["edges"].size() == compact["edges"].size());
-  CHECK(compact["shifts"]["day shift"][0]["from_h"] == 7);
-  CHECK(full["shifts"] == compact["shifts"]);
+  CHECK(full.at("edges").size() == compact.at("edges").size());
+  CHECK(compact.at("shifts").at("day shift").at(0).at("from_h") == 7);
+  CHECK(full.at("shifts") == compact.at("shifts"));
 }

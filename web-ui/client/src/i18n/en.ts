@@ -691,6 +691,9 @@ export const en = {
   'form.csv.number': 'Line {line}, column "{column}": "{value}" is no number.',
   'form.csv.integer': 'Line {line}, column "{column}": "{value}" is no whole number.',
   'form.csv.choice': 'Line {line}, column "{column}": "{value}" must be one of {known}.',
+  'form.csv.more': 'The first {shown} of {total} are shown; the table holds all.',
+  'stock.weekUnit': '1/week',
+  'run.bySlicesShort': 'The counted time is shorter than a day, and no machine has a calendar: there is nothing to divide it by.',
 } as const;
 
 export type Key = keyof typeof en;

@@ -693,4 +693,7 @@ export const uk: Record<Key, string> = {
   'form.csv.number': 'Рядок {line}, стовпець «{column}»: «{value}» не є числом.',
   'form.csv.integer': 'Рядок {line}, стовпець «{column}»: «{value}» не є цілим числом.',
   'form.csv.choice': 'Рядок {line}, стовпець «{column}»: «{value}» має бути одним із {known}.',
+  'form.csv.more': 'Показано перші {shown} із {total}; таблиця містить усі.',
+  'stock.weekUnit': '1/тиждень',
+  'run.bySlicesShort': 'Врахований час коротший за добу, і жоден верстат не має календаря: ділити немає за чим.',
 };
