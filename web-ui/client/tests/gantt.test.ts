@@ -64,12 +64,13 @@ describe('the Gantt chart', () => {
     const length = 130_000; // 4 min each
     const until = Array.from({ length }, (_, k) => 4 * (k + 1));
     const state = Array.from({ length }, (_, k) => (k * 7) % 5);
-    const large = readTrace({ states: ['a', 'b', 'c', 'd', 'e'], machines: Array.from({ length: 60 }, (_, m) => ({ name: `m ${m}`, until, state })) });
+    const large = readTrace({ states: ['a', 'b', 'c', 'd', 'e'], machines: [{ name: 'm', until, state }] });
+    const rows = new Array<TraceRow>(60).fill(first(large));
     const took = (from: number, to: number) => {
       let best = Infinity;
-      for (let k = 0; k < 5; ++k) {
+      for (let k = 0; k < 3; ++k) {
         const begun = performance.now();
-        for (const r of large.rows) bars(r, from, to, 1130, 5);
+        for (const r of rows) bars(r, from, to, 1130, 5);
         best = Math.min(best, performance.now() - begun);
       }
       return best;
@@ -79,7 +80,7 @@ describe('the Gantt chart', () => {
     expect(Math.max(year, week, minute)).toBeLessThan(400);
     const [r] = large.rows as [TraceRow];
     for (let s = 0; s < 5; ++s) expect(area(bars(r, 0, large.end, 1130, 5), s, 1130)).toBeCloseTo(0.2, 4);
-  });
+  }, 30_000);
   it('a bad trace is refused with its place', () => {
     expect(() => of([[0, 1, 'a'], [0.5, 'x', 'b'] as unknown as Interval])).toThrow('/machines/0/intervals/1');
     expect(() => of([[2, 3, 'a'], [0, 1, 'b']])).toThrow('in order of time');
@@ -142,7 +143,7 @@ describe('a trace', () => {
     const many = readTrace({ states: ['a'], machines: [{ name: 'm', until: Array.from({ length: mostTableRows + 5 }, (_, k) => k + 1), state: new Array<number>(mostTableRows + 5).fill(0) }] });
     expect(intervalTable(many, 0, many.end)).toBeNull();
     expect(intervalTable(many, 0, 10)).toHaveLength(11);
-  });
+  }, 30_000);
   it('adds up to one in every hour that it reaches, across days', () => {
     const read = of([[0, 90, 'cutting'], [90, 1440 * 3 + 30, 'idle'], [1440 * 3 + 30, 1440 * 3 + 60, 'cutting']]);
     const hours = hourShares(first(read), 0, read.end, 2);
