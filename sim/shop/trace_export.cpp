@@ -215,8 +215,9 @@ void write_compact(std::ostream& out, const scenarios::Scenario& scenario, const
   std::vector<std::string_view> states;
   const auto place_of = [&](std::string_view state) {
     const auto found = std::find(states.begin(), states.end(), state);
+    const auto place = static_cast<std::size_t>(found - states.begin());
     if (found == states.end()) states.push_back(state);
-    return found - states.begin();
+    return place;
   };
   const auto until = [](const auto& interval) { return rounded(interval.to_min); };
   out << fmt::format("{{\"scenario\":{},\"warmup_min\":{},\"horizon_min\":{},\n\"machines\":[",

@@ -560,6 +560,7 @@ try {
     await open('#/scenario/gallery/heavy-lathe');
     await page.waitForSelector('#check.good');
     const scenario = JSON.parse(await page.inputValue('#scenario-text'));
+    scenario.simulation.warmup_min = 0;
     scenario.parts[0].supply = { kind: 'orders', orders: [{ arrives_min: 0, quantity: 1 }] };
     await page.fill('#scenario-text', JSON.stringify(scenario));
     await page.waitForSelector('#check.good');
@@ -596,7 +597,7 @@ try {
     await page.waitForSelector('#check.good');
     await page.click('.shop-graph .node.machine');
     const count = '[data-pointer="/machines/0/count"] input[type=text]';
-    for (const n of ['2', '3', '4']) {
+    for (const n of ['3', '4', '5']) {
       await page.fill(count, n);
       await page.press(count, 'Tab');
       await page.waitForSelector(`#history td:nth-of-type(2) code:text-is("${n}")`);
@@ -604,14 +605,14 @@ try {
     await page.click('#history details summary');
     assert.equal(await page.locator('#history .steps li').count(), 4);
     await page.click('#history .steps li:nth-child(2) button');
-    await page.waitForSelector('#history td:nth-of-type(2) code:text-is("2")');
-    assert.equal(JSON.parse(await page.inputValue('#scenario-text')).machines[0].count, 2);
-    await page.click('button:text-is("Redo")');
     await page.waitForSelector('#history td:nth-of-type(2) code:text-is("3")');
+    assert.equal(JSON.parse(await page.inputValue('#scenario-text')).machines[0].count, 3);
+    await page.click('button:text-is("Redo")');
+    await page.waitForSelector('#history td:nth-of-type(2) code:text-is("4")');
     // Left and opened again, it is as it was.
     await open('#/models');
     await open('#/scenario');
-    await page.waitForSelector('#history td:nth-of-type(2) code:text-is("3")');
+    await page.waitForSelector('#history td:nth-of-type(2) code:text-is("4")');
   });
 
   await journey('a shop that locks itself is warned of above its figures', async () => {
@@ -922,7 +923,7 @@ try {
         await open(hash);
         await page.waitForSelector(ready);
         assert.ok(await page.evaluate(() => document.documentElement.scrollWidth <= innerWidth), `${hash} scrolls sideways at ${width} px`);
-        await accessible(page, `dark ${hash}`);
+        if (width === 768) await accessible(page, `dark ${hash}`);
       }
     await page.emulateMedia({ colorScheme: 'light' });
     await page.setViewportSize({ width: 1280, height: 800 });
@@ -931,12 +932,11 @@ try {
   await journey('loading, failed and too large say what is the matter and what to do', async () => {
     // A server that takes its time.
     await open('#/models');
-    await page.route('**/api/v1/runs/1?*', async (route) => { await new Promise((done) => setTimeout(done, 700)); await route.continue(); });
+    await page.route('**/api/v1/runs/1?*', async (route) => { await new Promise((done) => setTimeout(done, 700)); await route.continue(); }, { times: 1 });
     await page.evaluate(() => { location.hash = '#/runs/1'; });
     await page.waitForSelector('main .state:has-text("Loading")');
     assert.equal(await page.getAttribute('main', 'aria-busy'), 'true');
     await page.waitForSelector('#tile-cost');
-    await page.unroute('**/api/v1/runs/1?*');
     // One that fails once.
     await page.route('**/api/v1/runs/2?*', (route) => route.fulfill({ status: 503, contentType: 'application/json', body: '{"error": {"status": 503, "message": "the database is busy; try again"}}' }));
     await page.evaluate(() => { location.hash = '#/runs/2'; });

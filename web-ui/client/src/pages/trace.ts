@@ -49,8 +49,7 @@ export const tracePage: PageMaker = async (context, [run = '']) => {
         if (end.state !== 'finished') return;
         api.jobOutput(end.id, context.signal).then(
           (json) => place.replaceChildren(gantt(context, readTrace(json), `${end.title}, ${t('trace.replication')} ${Number(end.result?.replication ?? 0) + 1}`)),
-          (e: unknown) => (note.textContent = e instanceof Error ? e.message : String(e)),
-        );
+        ).catch((e: unknown) => (note.textContent = e instanceof Error ? e.message : String(e)));
       })),
       (e: unknown) => (note.textContent = e instanceof ApiError && e.message ? e.message : t('state.offline')),
     );
