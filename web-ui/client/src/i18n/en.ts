@@ -694,6 +694,7 @@ export const en = {
   'form.csv.more': 'The first {shown} of {total} are shown; the table holds all.',
   'stock.weekUnit': '1/week',
   'run.bySlicesShort': 'The counted time is shorter than a day, and no machine has a calendar: there is nothing to divide it by.',
+  'state.tooLarge': 'This has {size} MiB; the server takes {most} MiB at once. Shorten it, or run it on the command line: `verstat run FILE`.',
 } as const;
 
 export type Key = keyof typeof en;

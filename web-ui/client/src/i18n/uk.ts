@@ -696,4 +696,5 @@ export const uk: Record<Key, string> = {
   'form.csv.more': 'Показано перші {shown} із {total}; таблиця містить усі.',
   'stock.weekUnit': '1/тиждень',
   'run.bySlicesShort': 'Врахований час коротший за добу, і жоден верстат не має календаря: ділити немає за чим.',
+  'state.tooLarge': 'Тут {size} МіБ, а сервер приймає {most} МіБ за раз. Скоротіть або запустіть у командному рядку: `verstat run FILE`.',
 };
