@@ -534,7 +534,8 @@ try {
   });
 
   await journey('edges of a replication are exported for Excel, fitted, and give back the life they were made with', async () => {
-    await open('#/trace/1');
+    const { id } = JSON.parse(verstat('run', join(options.scenarios, 'heavy-lathe.json'), '--json', '--set', '/simulation/horizon_min=40000', '--replications', '1'));
+    await open(`#/trace/${id}`);
     await page.click('#record');
     await page.waitForSelector('canvas[data-bars]');
     await page.click('section:has(canvas.gantt) summary:text-is("Save")');
@@ -553,9 +554,9 @@ try {
     await page.waitForSelector('#fit-answer .chart[data-drawn]');
     const [law] = await cells('#fit-answer section:has(> h2:has-text("roughing tool"))');
     assert.equal(law[0], 'weibull');
-    // 60 min and CV 0.7 (T5K10 of the gallery) from some 12,000 edges, most of them taken out before they failed.
-    assert.ok(Math.abs(Number(law[1]) - 60) < 4, String(law));
-    assert.ok(Math.abs(Number(law[2]) - 0.7) < 0.05, String(law));
+    // 60 min and CV 0.7 (T5K10 of the gallery) from some 1,900 edges, most of them taken out before they failed.
+    assert.ok(Math.abs(Number(law[1]) - 60) < 8, String(law));
+    assert.ok(Math.abs(Number(law[2]) - 0.7) < 0.08, String(law));
   });
 
   await journey('orders are read into a scenario from a spreadsheet’s CSV, saved, and read again', async () => {
@@ -591,7 +592,8 @@ try {
     await page.click('#start-run');
     await page.waitForSelector('.job[data-state=finished]', { timeout: 60_000 });
     const id = /runs\/(\d+)/.exec(await page.getAttribute('#results thead a[href^="#/runs/"]', 'href'))[1];
-    assert.equal(json('--run', id).kpis.find((k) => k.name === 'parts_good').mean + json('--run', id).kpis.find((k) => k.name === 'parts_scrapped').mean, 24);
+    const made = (name) => json('--run', id).kpis.find((k) => k.name === name).mean;
+    assert.equal(Math.round(1e6 * (made('parts_good') + made('parts_scrapped'))) / 1e6, 24);
   });
 
   await journey('every step of a scenario’s history can be gone back to', async () => {
@@ -952,14 +954,13 @@ try {
     writeFileSync(file, '{"name": ');
     await page.setInputFiles('#scenario-file', file);
     await page.waitForSelector('.bad:has-text("large.json")');
-    writeFileSync(file, JSON.stringify({ ...JSON.parse(readFileSync(join(options.scenarios, 'heavy-lathe.json'), 'utf8')), description: 'x'.repeat(9 << 20) }));
+    writeFileSync(file, `${readFileSync(join(options.scenarios, 'heavy-lathe.json'), 'utf8')}${' '.repeat(5 << 20)}`);
     await page.setInputFiles('#scenario-file', file);
     await page.waitForSelector('#check.bad:has-text("the server takes 4 MiB at once")');
     writeFileSync(file, `Cutting time, min;Cause\n${'45,0;planned\n'.repeat(200_000)}`);
     await open('#/fit');
     await page.setInputFiles('#fit-file', file);
     await page.waitForSelector('.bad:has-text("at most 2048 KiB")');
-    await page.evaluate(() => sessionStorage.removeItem('verstat.draft'));
     complaints.splice(0).filter((c) => !/status of (503|413|422)/.test(c)).forEach((c) => unexpected.push(c));
   });
 

@@ -78,7 +78,9 @@ function openChooser(open: (draft: Draft) => void): HTMLElement {
     onchange: () => {
       const chosen = file.files?.[0];
       if (!chosen) return;
+      note.textContent = '';
       void chosen.text().then((text) => {
+        file.value = ''; // the same file may be chosen again when it has changed
         try {
           const json = JSON.parse(text) as Json;
           open(begin(chosen.name, text, json, json));

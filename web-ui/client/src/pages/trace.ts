@@ -106,7 +106,9 @@ function gantt(context: PageContext, trace: Trace, name: string): DocumentFragme
       g.fillStyle = theme.text;
       g.fillText(row.name, 0, y + rowHeight / 2, labelWidth - 8);
       let last = -1;
+      const least = 0.3 / (ratio * (rowHeight - 4)); // thinner than a third of a pixel is not seen
       for (const bar of bars(row, from, to, pixels, count)) {
+        if (bar.height < least) continue;
         if (bar.state !== last) g.fillStyle = colours[(last = bar.state)] ?? theme.muted;
         g.fillRect(labelWidth + bar.x, y + 2 + bar.top * (rowHeight - 4), Math.max(1, bar.width), bar.height * (rowHeight - 4));
         ++drawn;
