@@ -225,6 +225,7 @@ void Shop::start() {
       release_what_may(source->part);
     }
   }
+  build_limits();
   for (const auto& group : groups_)
     if (group->assembles_unlimited) assembling_groups_.push_back(group.get());
   for (const auto& store : stores_)

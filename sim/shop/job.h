@@ -30,6 +30,7 @@ struct Job {
   double due_min = std::numeric_limits<double>::infinity();
   std::uint64_t number = 0;       ///< in order of arrival in the queue: first come, first served
   std::size_t on_its_way_to = 0;  ///< machine group of the present step
+  std::size_t from = 0;           ///< group it came from, or supply or components: see limits.cpp
   std::array<double, phases> phase_min{};
   bool in_use = true;
   Phase phase = Phase::release;

@@ -157,6 +157,8 @@ bool Shop::can_occur(Cost cost) const {
 }
 
 void Shop::settle() {
+  for (const auto& machine : machines_)
+    if (machine->clock.state() == MachineState::blocked) told_blocked(*machine);
   labour_->settle(sim_.now());
   for (IntervalCount& weeks : weeks_of_insert_) weeks.close();
   for (Grade& grade : grades_) grade.weeks.close();
@@ -176,6 +178,7 @@ void Shop::reset_counts() {
   labour_->reset_counts(now);
   costs_.reset();
   reset_tool_counts();
+  reset_limits();
   for (PartCounts& part : parts_) part = PartCounts();
   for (const auto& machine : machines_) {
     machine->clock.reset(now);
@@ -425,11 +428,27 @@ void Shop::part_kpis(const KpiSink& sink) const {
 }
 
 void Shop::crew_kpis(const KpiSink& sink) const {
-  for (std::size_t k = 0; k < scenario_.crews.size(); ++k)
-    sink(KpiInfo{fmt::format("crew/{}/utilization", scenario_.crews[k].name), "1",
-                 "minutes worked / minutes present"},
-         ratio(labour_->busy_min(k),
-               labour_->present_min(k, scenario_.simulation.warmup_min, scenario_.simulation.horizon_min)));
+  for (std::size_t k = 0; k < scenario_.crews.size(); ++k) {
+    const scenarios::Crew& crew = scenario_.crews[k];
+    const auto put = [&](const char* name, const char* meaning, std::optional<double> value) {
+      sink(KpiInfo{fmt::format("crew/{}/{}", crew.name, name), "1", meaning}, value);
+    };
+    const double present_min =
+        labour_->present_min(k, scenario_.simulation.warmup_min, scenario_.simulation.horizon_min);
+    const double all_min = window_min() * static_cast<double>(crew.members);
+    const double overtime_min = labour_->overtime_min(k);
+    const double working_min = labour_->busy_min(k) - overtime_min;
+    put("utilization", "minutes worked / minutes present", ratio(labour_->busy_min(k), present_min));
+    put("state/working", "share of the members' calendar time: called somewhere, on the way included",
+        ratio(working_min, all_min));
+    put("state/free", "share of the members' calendar time: on shift, nobody calls",
+        ratio(std::max(0.0, present_min - working_min), all_min));
+    if (crew.calendar.empty()) continue;
+    put("state/overtime", "share of the members' calendar time: finishing a job after the end of the shift",
+        ratio(overtime_min, all_min));
+    put("state/off_shift", "share of the members' calendar time: off shift and not at work",
+        ratio(all_min - present_min - overtime_min, all_min));
+  }
 }
 
 void Shop::store_and_transport_kpis(const KpiSink& sink) const {
@@ -471,6 +490,7 @@ void Shop::store_and_transport_kpis(const KpiSink& sink) const {
 void Shop::each_kpi(const KpiSink& sink) const {
   shop_kpis(sink);
   machine_kpis(sink);
+  limit_kpis(sink);
   double finished = 0;
   for (const PartCounts& part : parts_) finished += static_cast<double>(part.good + part.scrapped);
   tool_kpis(finished, sink);

@@ -25,6 +25,7 @@ sim::Task<void> Shop::machine_process(MachineUnit& machine) {
   for (;;) {
     Job* const job = co_await wait_for_job(machine);
     machine.job = job;
+    told_idle(machine, *job);
     ++machine.group->in_work;
     co_await process(machine, *job);
     machine.job = nullptr;

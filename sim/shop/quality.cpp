@@ -65,6 +65,7 @@ void Shop::reject(MachineUnit& machine, Job& job, std::int64_t quantity) {
     again->defects = 0;
     ++again->reworks;
     again->step = step.rework;
+    again->from = machine.group->index;
     counts.reworked += static_cast<std::uint64_t>(quantity);
     ++source.batches_in_shop;
     send(*again, choose_group(routes_[job.part][again->step].operation));

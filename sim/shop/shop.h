@@ -120,7 +120,16 @@ class Shop {
   struct Source;
   struct Carrier;
   struct Fleet;
-  struct Movement;  // standstill.cpp
+  struct Movement;  // limits.cpp: who keeps whom waiting
+  [[nodiscard]] std::size_t from_supply() const { return groups_.size(); }
+  [[nodiscard]] std::size_t from_components() const { return groups_.size() + 1; }
+  void build_limits();
+  void told_idle(MachineUnit& machine, const Job& job);
+  void told_blocked(MachineUnit& machine);
+  void reset_limits();
+  void limit_kpis(const KpiSink& sink) const;
+
+  // standstill.cpp
   /// An operation on one group of machines. What every part asks stands first, together: a large plant lives
   /// or dies by the memory it touches.
   struct PlannedOperation {

@@ -14,6 +14,10 @@ namespace verstat::shop {
 
 // Identical machines share one queue of batches.
 struct Shop::Group {
+  struct Limit {
+    std::size_t by;  // group, or what comes behind the groups
+    double minutes = 0;
+  };
   Group(sim::Simulation& sim, const scenarios::Machine& machine, std::size_t group_index)
       : spec(&machine),
         index(group_index),
@@ -27,6 +31,8 @@ struct Shop::Group {
   std::deque<Job*> queue;         // in order of arrival
   std::deque<MachineUnit*> idle;  // machines that wait for work, who waits longest first
   std::vector<const MachineUnit*> machines;
+  std::vector<Limit> blocked_by;  // see limits.cpp
+  std::vector<Limit> starved_of;
   sim::Signal room;                          // the queue has become shorter
   std::vector<std::size_t> unlimited_parts;  // part types that are always available and start here
   std::vector<std::size_t> releases;         // part types whose release waits for this queue to shorten
@@ -180,6 +186,8 @@ struct Shop::MachineUnit {
   StateClock clock;
   sim::Store<Job*> inbox;  // a batch handed over to an idle machine
   std::optional<std::size_t> family;
+  double idle_told_min = 0;  // of the idle and blocked minutes, those of which it is told who caused them
+  double blocked_told_min = 0;
   Place waits_for;  // when it is blocked; nowhere: on a conveyor that is full
   std::uint64_t parts_rejected = 0;
   std::uint64_t setups = 0;
