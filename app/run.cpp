@@ -63,6 +63,8 @@ void add_run(CLI::App& program) {
   command->callback([options, file, label, check] {
     const auto changes = changes_of(*options);
     const LoadedScenario loaded = load_scenario(*file, changes);
+    const auto warned = scenarios::warnings(loaded.scenario);
+    print_warnings(warned);
     const int threads = thread_count(*options);
     const auto start = std::chrono::steady_clock::now();
     shop::RunResult result;
@@ -78,6 +80,7 @@ void add_run(CLI::App& program) {
     run.header.id = store::Writer(options->db).add_run(run);
     if (options->json) {
       nlohmann::ordered_json answer = store::to_json(run);
+      answer["warnings"] = scenarios::to_json(warned);
       if (*check) answer["check"] = check_of(result);
       fmt::print("{}\n", answer.dump(2));
     } else {

@@ -61,6 +61,7 @@ Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication, Trace
   build_machines();
   build_tools();
   build_flow();
+  build_quality();
   start();
 }
 

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "operations/kinds/gauge_inspection.h"
 #include "sim/shop/shop_parts.h"
 
 namespace verstat::shop {
@@ -18,7 +19,7 @@ constexpr std::string_view meaning_of(MachineState state) {
       "share of the time spent on operations given as durations",
       "share of the time spent loading and unloading",
       "share of the time spent changing over",
-      "share of the time in planned insert changes, crew at work",
+      "share of the time in planned changes of inserts or gauges",
       "share of the time in insert changes after a failure, crew at work",
       "share of the time waiting for a crew that is busy elsewhere or off",
       "share of the time waiting for a tool or an insert",
@@ -54,6 +55,20 @@ bool has_tool(const scenarios::Scenario& scenario, const scenarios::Machine& mac
   return false;
 }
 
+bool is_gauge(const scenarios::Operation& operation) {
+  return operation.process.as<operations::GaugeInspection>() != nullptr;
+}
+
+// Gauges are replaced on the machine?
+bool has_gauge(const scenarios::Scenario& scenario, const scenarios::Machine& machine) {
+  for (const scenarios::Operation& operation : scenario.operations) {
+    if (!is_gauge(operation)) continue;
+    for (const std::size_t g : scenarios::groups_of(scenario, operation))
+      if (&scenario.machines[g] == &machine) return true;
+  }
+  return false;
+}
+
 bool off_line_tools(const scenarios::Scenario& scenario) {
   return std::any_of(scenario.tools.begin(), scenario.tools.end(), scenarios::changed_off_line);
 }
@@ -78,6 +93,7 @@ bool can_occur(const scenarios::Scenario& scenario, const scenarios::Machine& ma
     case MachineState::idle:
       return true;
     case MachineState::planned_change:
+      return tool || has_gauge(scenario, machine);
     case MachineState::failure_change:
       return tool;
     case MachineState::waiting_crew:
@@ -135,7 +151,7 @@ bool can_occur(const scenarios::Scenario& scenario, Cost cost) {
       return !scenario.spares.empty();
     case Cost::operations:
       for (const scenarios::Operation& operation : scenario.operations)
-        if (operation.cost > 0) return true;
+        if (operation.cost > 0 || is_gauge(operation)) return true;
       return false;
     case Cost::escapes:
       for (const scenarios::PartType& part : scenario.parts)
@@ -186,6 +202,7 @@ void Shop::settle() {
   labour_->settle(sim_.now());
   for (const auto& machine : machines_) {
     machine->clock.settle(sim_.now());
+    machine->missions.close();
     for (const auto& [name, tool] : machine->tools) {
       tool->clock.settle(sim_.now());
       tool->stops.close();
@@ -200,6 +217,7 @@ void Shop::reset_counts() {
   labour_->reset_counts(now);
   costs_.reset();
   reset_tool_counts();
+  reset_quality_counts();
   for (PartCounts& part : parts_) part = PartCounts();
   for (const auto& machine : machines_) {
     machine->clock.reset(now);
@@ -429,7 +447,7 @@ void Shop::part_kpis(const KpiSink& sink) const {
     if (reworks)
       put("rework_ratio", "1", "parts sent to rework / parts finished",
           ratio(static_cast<double>(counts.reworked), finished));
-    if (inspected)
+    if (inspected || !type.requirements.empty())
       put("escape_ratio", "1", "good parts with a defect that nobody saw / good parts",
           ratio(static_cast<double>(counts.escaped), good));
     if (has_due_dates(type)) {
@@ -438,6 +456,7 @@ void Shop::part_kpis(const KpiSink& sink) const {
       put("tardiness_min", "min", "mean time after the due date, parts in time count as zero",
           ratio(counts.tardiness_min, good));
     }
+    requirement_kpis(p, sink);
   }
 }
 
@@ -488,6 +507,7 @@ void Shop::store_and_transport_kpis(const KpiSink& sink) const {
 void Shop::each_kpi(const KpiSink& sink) const {
   shop_kpis(sink);
   machine_kpis(sink);
+  gauge_kpis(sink);
   double finished = 0;
   for (const PartCounts& part : parts_) finished += static_cast<double>(part.good + part.scrapped);
   tool_kpis(finished, sink);
@@ -495,6 +515,7 @@ void Shop::each_kpi(const KpiSink& sink) const {
   crew_kpis(sink);
   part_kpis(sink);
   store_and_transport_kpis(sink);
+  criteria_kpis(sink);
 }
 
 // A budget that ran out is the scenario's affair: said in its words, with the way out.

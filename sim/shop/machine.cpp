@@ -135,7 +135,11 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
 
   if (rejected > 0) reject(machine, job, rejected);
   if ((operation.spec->inspection || operation.plan.detection) && job.quantity > 0) {
-    const std::int64_t found = inspect(machine, operation, job);
+    std::int64_t found = 0;
+    if (operation.plan.gauge)
+      found = co_await inspect_with_gauges(machine, operation, job);
+    else
+      found = inspect(machine, operation, job);
     if (found > 0) reject(machine, job, found);
   }
   for (const scenarios::RouteComponent& blank : routes_[job.part][job.step].yields)
@@ -220,6 +224,7 @@ sim::Task<void> Shop::overload(MachineUnit& machine, const operations::Overload&
   }
   for (int k = 0; k < breaks; ++k) {
     ++machine.overload_breaks;
+    machine.missions.add(sim_.now());
     if (!group.spec->overload) continue;
     costs_.book(Cost::damage, group.spec->overload->damage);
     if (machine.overload_stream.uniform() < group.spec->overload->scrap_probability)

@@ -105,6 +105,25 @@ struct Shop::MountedTool {
   sim::RandomStream regrind_stream;
 };
 
+// The gauges of one operation at one machine.
+struct Shop::GaugeUnit {
+  const PlannedOperation* operation;
+  [[nodiscard]] const operations::GaugeWear& spec() const { return *operation->plan.gauge; }
+  [[nodiscard]] double worn() const {
+    return start + static_cast<double>(checks_of_this_one) * spec().wear_per_check;
+  }
+  double start = 0;  // share worn off when these gauges came
+  std::uint64_t checks_of_this_one = 0;
+  // Since the end of the warm-up.
+  std::uint64_t checks = 0;
+  std::uint64_t changes = 0;
+  double worn_sum = 0;  // over the checks
+  std::uint64_t good = 0;
+  std::uint64_t good_rejected = 0;
+  std::uint64_t defective = 0;
+  std::uint64_t defective_accepted = 0;
+};
+
 // A failure mode or a maintenance job of one machine.
 struct Shop::Stop {
   Stop(std::uint64_t seed, const std::string& entity, std::uint64_t replication)
@@ -156,6 +175,8 @@ struct Shop::MachineUnit {
   std::map<std::string, std::unique_ptr<MountedTool>> tools;  // by name
   bool has_joiners = false;                                   // a tool whose strategy uses other stops
   std::vector<std::unique_ptr<Stop>> stops;
+  std::vector<GaugeUnit> gauges;
+  IntervalCount missions;                // windows with failures, for the criteria of efficiency
   Job* job = nullptr;                    // in work
   std::optional<std::size_t> attendant;  // crew of whoever stays with the machine
   bool part_spoiled = false;             // the part in work
