@@ -63,8 +63,8 @@ void check_machine(const Scenario& s, const Machine& machine, const std::string&
 void check_crew(const Scenario& s, const Crew& crew, const std::string& at);
 void check_calendar(const Calendar& calendar, const std::string& at);
 void check_spare(const Spare& spare, const std::string& at);
-/// Best and worst values come in pairs that differ.
-void check_criteria(const CriteriaSettings& criteria, const std::string& at);
+/// Best and worst values come in pairs that differ, and a mission fits into the counted time.
+void check_criteria(const Scenario& s, const std::string& at);
 /// Vehicles find a way between all places that they serve.
 void check_layout(const Scenario& s);
 /// Refuses a shop that no computer holds: limits on sums and products of what single members allow.

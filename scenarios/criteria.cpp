@@ -61,7 +61,12 @@ k205::Hierarchy CriteriaSettings::hierarchy(const k205::Criteria& values) const 
   return h;
 }
 
-void check_criteria(const CriteriaSettings& criteria, const std::string& at) {
+void check_criteria(const Scenario& s, const std::string& at) {
+  const CriteriaSettings& criteria = *s.criteria;
+  const double counted_min = s.simulation.horizon_min - s.simulation.warmup_min;
+  if (criteria.mission_min > counted_min)
+    fail(at + "/mission_min", fmt::format("{}", criteria.mission_min),
+         fmt::format("must not be above the counted time, {} min", counted_min));
   const auto bests = criteria.best.values();
   const auto worsts = criteria.worst.values();
   const auto minima = criteria.minimum.values();

@@ -198,7 +198,6 @@ void check_whole(const Scenario& s) {
     check_each(s.operations, "/operations", [&](const Operation& x, Text at) {
       if (receives == !x.incoming.empty()) check_operation(s, x, at);
     });
-  if (s.criteria) check_criteria(*s.criteria, "/criteria");
   check_each(s.tools, "/tools", [&](const Tool& x, Text at) { check_tool_use(s, x, at); });
   check_each(s.machines, "/machines", [&](const Machine& x, Text at) { check_magazine(s, x, at); });
   check_each(s.parts, "/parts", [&](const PartType& x, Text at) { check_part(s, x, at); });
@@ -208,6 +207,7 @@ void check_whole(const Scenario& s) {
   if (run.warmup_min >= run.horizon_min)
     fail("/simulation/warmup_min", fmt::format("{}", run.warmup_min),
          fmt::format("must be below horizon_min = {}: nothing would be counted", run.horizon_min));
+  if (s.criteria) check_criteria(s, "/criteria");
   std::vector<bool> busy(s.machines.size(), false);
   for (const Operation& operation : s.operations)
     for (const std::size_t g : groups_of(s, operation)) busy[g] = true;

@@ -76,9 +76,10 @@ std::optional<k205::SimulationResult> Shop::criteria_inputs() const {
     in.missions += static_cast<double>(machine->missions.intervals());
     in.missions_failure_free += static_cast<double>(machine->missions.at_most(0));
   }
-  in.availability = ratio(production_min, busy_min).value_or(0);
-  in.performance = ratio(planned_min, production_min).value_or(0);
-  in.quality = ratio(made - rejected, made).value_or(0);
+  // A part under way when counting starts is planned as a whole: more than was worked since.
+  in.availability = std::min(1.0, ratio(production_min, busy_min).value_or(0));
+  in.performance = std::min(1.0, ratio(planned_min, production_min).value_or(0));
+  in.quality = std::max(0.0, ratio(made - rejected, made).value_or(0));
   for (std::size_t k = 0; k < scenario_.crews.size(); ++k)
     in.operator_load = std::max(
         in.operator_load, ratio(labour_->busy_min(k), labour_->present_min(k, scenario_.simulation.warmup_min,

@@ -159,6 +159,7 @@ TEST_CASE("the hierarchy of the criteria is a KPI, with its limits", "[shop][K20
   refused({{"best", {{"e01", 1}}}, {"worst", {{"e01", 1}}}}, "/criteria/best/e01");
   refused({{"minimum", {{"e02", 0.5}}}}, "/criteria/minimum/e02");
   refused({{"mission_min", 0}}, "/criteria/mission_min");
+  refused({{"mission_min", 1e7}}, "/criteria/mission_min");
   refused({{"best", {{"e09", 1}}}, {"worst", {{"e09", 0}}}, {"group_weights", {{"economy", 0}}}},
           "/criteria");
 }
