@@ -110,6 +110,7 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
   if (group.spec->setup && machine.family != family) co_await set_up(machine, family);
 
   std::int64_t rejected = 0;
+  const std::int64_t defective = job.defects;  // from operations before: the first so many parts of the batch
   for (std::int64_t k = 0; k < job.quantity; ++k) {
     if (k > 0) {
       if (group.working_time && !group.working_time->open(sim_.now())) co_await open_shift(machine);
@@ -125,10 +126,13 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
     ++machine.parts_done;
     machine.planned_min += operation.plan.main_time_min;
     costs_.book(Cost::operations, operation.spec->cost);
-    if (machine.part_spoiled)
+    const bool had_defect = k < defective;
+    if (machine.part_spoiled) {
       ++rejected;
-    else if (leaves_defect(machine, operation))
+      if (had_defect) --job.defects;
+    } else if (leaves_defect(machine, operation) && !had_defect) {
       ++job.defects;
+    }
   }
   machine.attendant.reset();
   attending.release();

@@ -16,7 +16,9 @@ bool Shop::breaks(MachineUnit& machine, const PlannedOperation& operation) {
 }
 
 bool Shop::spoils(MachineUnit& machine, const PlannedOperation& operation) {
-  double kept = 1 - operation.plan.scrap_probability;
+  // Of an inspection it is the share rejected when defects come as its plan assumes: here they come as they
+  // are.
+  double kept = operation.plan.detection ? 1 : 1 - operation.plan.scrap_probability;
   if (operation.spec->quality) kept *= 1 - operation.spec->quality->scrap_probability;
   return kept < 1 && machine.quality_stream.uniform() < 1 - kept;
 }

@@ -50,6 +50,7 @@ constexpr double pi = 3.14159265358979323846;
 
 TEST_CASE("K201: a turning speed inside a parametric band is warned of, with the band") {
   json shop = shop_of("hard_turning_machine");
+  shop["operations"][0]["process"]["feed_mm_rev"] = 0.2;  // outside the band of K107
   CHECK(warned(shop).empty());
   const auto s = scenarios::load(shop);
   const auto band = s.machines[0].spindle->dynamics().parametric.front();

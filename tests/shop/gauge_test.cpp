@@ -55,7 +55,7 @@ TEST_CASE("new gauges reject good parts as the card says, gauges beyond the limi
   check_truth(w, at + "consumer_risk", consumer, 0.2);
   CHECK(mean(w, at + "producer_risk") == 0);
   check_truth(w, "part/p/escape_ratio", 0.1 * consumer / (0.9 + 0.1 * consumer), 0.2);
-  CHECK(mean(w, at + "worn") == Approx(2.5).margin(1e-4));
+  CHECK(mean(w, at + "worn") == Approx(2.5).margin(0.01));
 }
 
 TEST_CASE("gauges wear by the parts they check and are replaced at their limit, with time and cost",

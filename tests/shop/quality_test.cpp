@@ -1,6 +1,7 @@
 // Hidden defects, inspections, rework.
 #include "tests/shop/small_shop.h"
 
+using namespace verstat;
 using namespace verstat::test;
 
 namespace {
@@ -70,4 +71,32 @@ TEST_CASE("defects grow with the wear of the edge", "[shop][quality]") {
   // Changed earlier, fewer escape.
   shop["tools"][0]["strategy"]["gamma"] = 0.95;
   CHECK(mean(run(shop), "part/shaft/escape_ratio") < 0.7 * mean(worn, "part/shaft/escape_ratio"));
+}
+
+TEST_CASE("a part has a defect or has none, however many operations leave some", "[shop][quality]") {
+  json shop = inspected({{"sensitivity", 0.0}});
+  shop["operations"][0]["quality"] = {{"defect_probability", 0.6}};
+  shop["operations"][1]["quality"] = {{"defect_probability", 0.5}, {"scrap_probability", 0.2}};
+  for (const int batch : {1, 7}) {
+    shop["parts"][0]["batch_size"] = batch;
+    const auto r = run(shop);
+    check_truth(r, "part/p/escape_ratio", 1 - 0.4 * 0.5, 0.02);
+    check_truth(r, "quality_ratio", 0.8, 0.02);
+    check_audit(shop);
+  }
+}
+
+TEST_CASE("an inspection by its model rejects what comes, not what its plan assumes",
+          "[shop][quality][K205]") {
+  json shop = inspected(json::object());
+  shop["operations"][1].erase("inspection");
+  shop["operations"][1]["process"] =
+      scenarios::read_json_file(VERSTAT_SOURCE_DIR "/scenarios/gallery/operations/inspection.json")
+          .at("process");
+  const auto s = scenarios::load(shop);
+  const auto d = *scenarios::plan(s, s.operations[1]).detection;
+  const auto r = run(shop);
+  check_truth(r, "quality_ratio", 1 - (0.1 * d.sensitivity + 0.9 * (1 - d.specificity)), 0.01);
+  check_truth(r, "part/p/escape_ratio",
+              0.1 * (1 - d.sensitivity) / (0.1 * (1 - d.sensitivity) + 0.9 * d.specificity), 0.05);
 }

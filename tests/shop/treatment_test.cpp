@@ -56,6 +56,7 @@ TEST_CASE("a treated lot of tools: mean life and scatter in the shop are those o
   };
   json inserts = shown("insert_preparation");
   inserts["screening"] = "none";
+  inserts["treatment_s"] = 180;
   json bath = inserts;
   bath["treatment"] = "magnetic_abrasive";
   bath["life_factor"] = 1.6;
