@@ -80,7 +80,7 @@ void add_run(CLI::App& program) {
     run.header.id = store::Writer(options->db).add_run(run);
     if (options->json) {
       nlohmann::ordered_json answer = store::to_json(run);
-      answer["warnings"] = scenarios::to_json(warned);
+      if (!warned.empty()) answer["warnings"] = scenarios::to_json(warned);
       if (*check) answer["check"] = check_of(result);
       fmt::print("{}\n", answer.dump(2));
     } else {

@@ -25,14 +25,14 @@ struct Criterion {
 constexpr std::array<Criterion, k205::PerCriterion::count> criteria{
     {{"e01", "1", "information that the inspections give / information needed"},
      {"e02", "1", "good parts accepted / good parts"},
-     {"e03", "money", "cost of a part started / probability that a released part conforms"},
-     {"e04", "money", "cost of a part started / share that does not escape with a defect"},
-     {"e05", "bit/money", "information that the inspections give / their cost"},
+     {"e03", "MONEY", "cost of a part started / probability that a released part conforms"},
+     {"e04", "MONEY", "cost of a part started / share that does not escape with a defect"},
+     {"e05", "bit/MONEY", "information that the inspections give / their cost"},
      {"e06", "1", "socio-ergonomic: technical, social and economic index, geometric mean"},
-     {"e07", "money", "cost of a mission / probability that it passes without a failure"},
+     {"e07", "MONEY", "cost of a mission / probability that it passes without a failure"},
      {"e08", "1", "rate of information / rate of an ideal inspection"},
      {"e09", "1", "(value of the output - cost - losses) / value of the output"},
-     {"e10", "1/money", "right decisions of the inspections / their cost"}}};
+     {"e10", "1/MONEY", "right decisions of the inspections / their cost"}}};
 
 }  // namespace
 
@@ -99,8 +99,13 @@ void Shop::criteria_kpis(const KpiSink& sink) const {
   k205::Criteria values;
   if (in) values = k205::evaluate_all_criteria(*in);
   const auto all = values.values();
+  const auto unit_of = [&](const Criterion& criterion) {
+    std::string unit = criterion.unit;
+    if (const auto at = unit.find("MONEY"); at != std::string::npos) unit.replace(at, 5, scenario_.currency);
+    return unit;
+  };
   for (std::size_t k = 0; k < criteria.size(); ++k)
-    sink(KpiInfo{fmt::format("criteria/{}", criteria[k].name), criteria[k].unit,
+    sink(KpiInfo{fmt::format("criteria/{}", criteria[k].name), unit_of(criteria[k]),
                  fmt::format("{} (K205)", criteria[k].meaning)},
          all[k]);
   if (!settings.has_hierarchy()) return;

@@ -442,7 +442,8 @@ void Shop::part_kpis(const KpiSink& sink) const {
     bool inspected = false;
     for (const scenarios::RouteStep& step : routes_[p]) {
       reworks = reworks || step.rework != scenarios::route_end;
-      inspected = inspected || operations_[step.operation].spec->quality.has_value();
+      inspected = inspected || operations_[step.operation].spec->quality.has_value() ||
+                  operations_[step.operation].on.front().plan.detection.has_value();
     }
     if (reworks)
       put("rework_ratio", "1", "parts sent to rework / parts finished",

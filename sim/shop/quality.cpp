@@ -29,6 +29,12 @@ void Shop::build_quality() {
   for (std::size_t p = 0; p < scenario_.parts.size(); ++p) {
     const auto& requirements = scenario_.parts[p].requirements;
     requirement_counts_.emplace_back(requirements.size());
+    bool known = !requirements.empty();
+    for (const scenarios::RouteStep& step : routes_[p]) {
+      const auto& quality = operations_[step.operation].spec->quality;
+      known = known || (quality && (quality->defect_probability > 0 || quality->defect_when_worn > 0));
+    }
+    defects_known_.push_back(known);
     if (requirements.empty()) continue;
     states_[p].resize(routes_[p].size());
     for (std::size_t r = 0; r < requirements.size(); ++r)
@@ -68,13 +74,22 @@ bool Shop::leaves_defect(MachineUnit& machine, const PlannedOperation& operation
     for (const StateAtStep& state : states_[job.part][job.step]) {
       RequirementCounts& counts = requirement_counts_[job.part][state.requirement];
       ++counts.parts;
-      counts.value += state.value[group];
-      counts.fails += state.fails[group];
+      // Running means: equal values leave them exactly there.
+      const auto parts = static_cast<double>(counts.parts);
+      counts.mean_value += (state.value[group] - counts.mean_value) / parts;
+      counts.mean_fails += (state.fails[group] - counts.mean_fails) / parts;
       kept *= 1 - state.fails[group];
     }
     chance = 1 - kept;
   }
   return chance > 0 && machine.defect_stream.uniform() < chance;
+}
+
+void Shop::assume_defects(MachineUnit& machine, const PlannedOperation& operation, Job& job) {
+  if (!operation.plan.detection || defects_known_[job.part] || job.defects_assumed) return;
+  job.defects_assumed = true;
+  for (std::int64_t k = 0; k < job.quantity; ++k)
+    if (machine.defect_stream.uniform() < operation.plan.detection->defective_share) ++job.defects;
 }
 
 bool Shop::judge(MachineUnit& machine, const scenarios::Inspection& inspection, bool defective,
@@ -95,6 +110,7 @@ std::int64_t Shop::inspect(MachineUnit& machine, const PlannedOperation& operati
     inspection.sensitivity = operation.plan.detection->sensitivity;
     inspection.specificity = operation.plan.detection->specificity;
   }
+  assume_defects(machine, operation, job);
   Verdict verdict;
   for (std::int64_t k = 0; k < job.quantity; ++k) judge(machine, inspection, k < job.defects, verdict);
   return conclude(machine, operation, job, verdict);
@@ -106,6 +122,7 @@ sim::Task<std::int64_t> Shop::inspect_with_gauges(MachineUnit& machine, const Pl
                                    [&](const GaugeUnit& g) { return g.operation == &operation; });
   const operations::GaugeWear& wear = gauge.spec();
   scenarios::Inspection inspection = operation.spec->inspection.value_or(scenarios::Inspection());
+  assume_defects(machine, operation, job);
   Verdict verdict;
   for (std::int64_t k = 0; k < job.quantity; ++k) {
     // Gauges that the check would wear beyond their limit are replaced before it.
@@ -164,6 +181,7 @@ void Shop::reject(MachineUnit& machine, Job& job, std::int64_t quantity) {
     *again = job;
     again->quantity = quantity;
     again->defects = 0;
+    again->defects_assumed = false;
     ++again->reworks;
     again->step = step.rework;
     counts.reworked += static_cast<std::uint64_t>(quantity);
@@ -220,7 +238,9 @@ void Shop::requirement_kpis(std::size_t part, const KpiSink& sink) const {
   for (std::size_t r = 0; r < type.requirements.size(); ++r) {
     const scenarios::Requirement& requirement = type.requirements[r];
     const RequirementCounts& counts = requirement_counts_[part][r];
-    const auto parts = static_cast<double>(counts.parts);
+    const auto mean = [&](double value) {
+      return counts.parts > 0 ? std::optional<double>(value) : std::nullopt;
+    };
     const char* quantity_unit = "1";
     for (std::size_t step = 0; step < states_[part].size(); ++step)
       for (const StateAtStep& state : states_[part][step])
@@ -233,9 +253,9 @@ void Shop::requirement_kpis(std::size_t part, const KpiSink& sink) const {
            value);
     };
     put("mean", quantity_unit, "mean over the parts made of what the operations leave",
-        ratio(counts.value, parts));
+        mean(counts.mean_value));
     put("short_share", "1", "expected share of the parts made that fall short of the drawing",
-        ratio(counts.fails, parts));
+        mean(counts.mean_fails));
   }
 }
 

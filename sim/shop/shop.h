@@ -240,6 +240,9 @@ class Shop {
     std::int64_t rejected = 0;
     std::int64_t rejected_defects = 0;  // of them
   };
+  /// Where no operation of the route says that it leaves defects, the first inspection by a process model
+  /// meets them at the share that its plan assumes.
+  void assume_defects(MachineUnit& machine, const PlannedOperation& operation, Job& job);
   /// One part of the batch is looked at, or not; whether it was.
   static bool judge(MachineUnit& machine, const scenarios::Inspection& inspection, bool defective,
                     Verdict& verdict);
@@ -336,11 +339,12 @@ class Shop {
   };
   struct RequirementCounts {
     std::uint64_t parts = 0;
-    double value = 0;  // sums over them
-    double fails = 0;
+    double mean_value = 0;  // over them
+    double mean_fails = 0;
   };
   std::vector<std::vector<std::vector<StateAtStep>>> states_;       // [part][step]; [part] empty: none
   std::vector<std::vector<RequirementCounts>> requirement_counts_;  // [part][requirement]
+  std::vector<bool> defects_known_;  // by part type: operations of its route say which defects they leave
   InspectionCounts inspections_;
   std::vector<ToolCounts> tools_;  // one per tool of the scenario
   std::vector<PartCounts> parts_;  // one per part type

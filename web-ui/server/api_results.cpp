@@ -136,17 +136,18 @@ ordered_json warnings_of(const store::Run& run) {
 }  // namespace
 
 Response show_run(const Call& call) {
-  check_query(call.target, {"replications", "format", "separator", "decimal", "notes"});
+  check_query(call.target, {"replications", "format", "separator", "decimal", "notes", "warnings"});
   const std::int64_t id = id_of("run", call.parameters[0]);
   const bool csv = word(call.target, "format", {"json", "csv"}) == "csv";
   const bool replications = word(call.target, "replications", {"0", "1"}) == "1";
   const bool notes = word(call.target, "notes", {"0", "1"}) == "1";
+  const bool warnings = word(call.target, "warnings", {"0", "1"}) == "1";
   const CsvFormat format = csv_format(call.target);
   const auto found = store::Reader(call.database).run(id, replications);
   if (!found) throw Refused{404, fmt::format("there is no run {}", id)};
   if (csv) return csv_response(kpi_table(*found, format), fmt::format("run-{}.csv", id));
   ordered_json body = store::to_json(*found, replications);
-  body["warnings"] = warnings_of(*found);
+  if (warnings) body["warnings"] = warnings_of(*found);
   if (notes) put(body, store::Notes(call.database).of(store::Subject::run, {id}), id);
   return json_response(body);
 }
