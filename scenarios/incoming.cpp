@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <span>
 
 #include <fmt/format.h>
 
@@ -32,18 +33,29 @@ std::vector<std::string> path_of(const std::string& input) {
   return path;
 }
 
-// The member of a described value that the path leads to; null when it leads nowhere.
-Value* member_at(Value& value, const std::vector<std::string>& path) {
-  Value* at = &value;
-  for (const std::string& name : path) {
-    if (at->map() == nullptr) return nullptr;
-    auto& members = const_cast<Value::Map&>(*at->map());
-    const auto found =
-        std::find_if(members.begin(), members.end(), [&](const auto& m) { return m.first == name; });
-    if (found == members.end()) return nullptr;
-    at = &found->second;
+// The same value with another number at the end of the path. Throws DomainError when there is no such member,
+// or none that could be a number.
+Value with_number(const Value& value, const std::string& input, std::span<const std::string> path,
+                  double number) {
+  if (path.empty()) {
+    if (!value.is_null() && value.real() == nullptr && value.integer() == nullptr)
+      throw DomainError(input, fmt::format("{} = {}, is not a number", input, value.to_string()));
+    return number;
   }
-  return at;
+  std::vector<std::string> names;
+  Value::Map members;
+  if (value.map() != nullptr) members = *value.map();
+  for (auto& [name, member] : members) {
+    if (name == path.front()) {
+      member = with_number(member, input, path.subspan(1), number);
+      return members;
+    }
+    names.push_back(name);
+  }
+  throw DomainError(input, names.empty()
+                               ? fmt::format("{}: there is no such member of the process", input)
+                               : fmt::format("{}: there is no such member of the process; closest: \"{}\"",
+                                             input, models::closest(path.front(), names)));
 }
 
 models::Field process_field() {
@@ -58,17 +70,7 @@ void set_input(Process& process, const std::string& input, double value) {
   if (double* number = ProcessBinding::locate(process, path)) {
     *number = value;
   } else {
-    Value whole = ProcessBinding::write(process);
-    Value* member = member_at(whole, path);
-    if (member == nullptr) {
-      std::vector<std::string> names;
-      for (const models::Field& field : process.kind()->fields()) names.push_back(field.name);
-      throw DomainError(input, fmt::format("{}: the kind \"{}\" has no such member; closest: \"{}\"", input,
-                                           process.kind()->name, models::closest(input, names)));
-    }
-    if (!member->is_null() && member->real() == nullptr && member->integer() == nullptr)
-      throw DomainError(input, fmt::format("{} = {}, is not a number", input, member->to_string()));
-    *member = value;
+    const Value whole = with_number(ProcessBinding::write(process), input, path, value);
     ProcessBinding::read(process, whole, process_field());
   }
 }
