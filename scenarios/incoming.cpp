@@ -22,6 +22,10 @@ using ProcessBinding = models::detail::Binding<Process>;
 
 namespace {
 
+// Bounds of what a file may ask for; each is far beyond a route on paper.
+constexpr std::size_t most_handed_on = 1000;
+constexpr std::size_t longest_chain = 50;
+
 std::vector<std::string> path_of(const std::string& input) {
   std::vector<std::string> path;
   std::size_t from = 0;
@@ -136,10 +140,20 @@ std::vector<std::string> states_left(const CutPlan& plan) {
 }  // namespace
 
 Process received(const Scenario& scenario, const Operation& operation) {
+  PlansBefore before;
+  return received(scenario, operation, before);
+}
+
+Process received(const Scenario& scenario, const Operation& operation, PlansBefore& before) {
   Process process = operation.process;
   for (const Incoming& incoming : operation.incoming) {
-    const Operation& source = source_of(scenario, incoming);
-    const auto value = plan(scenario, source).value_of(incoming.quantity);
+    auto found = before.find(incoming.from);
+    if (found == before.end()) {
+      const Operation& source = source_of(scenario, incoming);
+      const Machine& machine = scenario.machines.at(groups_of(scenario, source).at(0));
+      found = before.emplace(incoming.from, plan(scenario, source, machine, before)).first;
+    }
+    const auto value = found->second.value_of(incoming.quantity);
     models::require(
         value.has_value(), incoming.input, Value(),
         fmt::format("should come from \"{}\", which leaves no {}", incoming.from, incoming.quantity));
@@ -182,24 +196,27 @@ void check_sources(const Scenario& s) {
     for (std::size_t i = 0; i < s.operations[o].incoming.size(); ++i)
       check_reference(s.operations, s.operations[o].incoming[i].from,
                       fmt::format("/operations/{}/incoming/{}/from", o, i), "operation");
-  // Who receives from itself, over however many operations, would wait for ever.
-  for (std::size_t o = 0; o < s.operations.size(); ++o) {
-    std::vector<const Operation*> open{&s.operations[o]};
-    std::vector<bool> seen(s.operations.size(), false);
-    while (!open.empty()) {
-      const Operation* at = open.back();
-      open.pop_back();
-      for (const Incoming& incoming : at->incoming) {
-        const Operation& source = source_of(s, incoming);
-        const auto index = static_cast<std::size_t>(&source - s.operations.data());
-        if (index == o)
+  std::size_t handed_on = 0;
+  for (const Operation& operation : s.operations) handed_on += operation.incoming.size();
+  if (handed_on > most_handed_on)
+    fail("/operations", fmt::format("{} members that are taken from operations before", handed_on),
+         fmt::format("allowed at most {}", most_handed_on));
+  // Operations behind each other. Who receives from itself stands behind itself, for ever.
+  std::vector<std::size_t> depth(s.operations.size(), 0);
+  for (std::size_t round = 0; round <= longest_chain; ++round) {
+    bool changed = false;
+    for (std::size_t o = 0; o < s.operations.size(); ++o)
+      for (const Incoming& incoming : s.operations[o].incoming) {
+        const auto source = static_cast<std::size_t>(&source_of(s, incoming) - s.operations.data());
+        if (depth[o] > depth[source]) continue;
+        depth[o] = depth[source] + 1;
+        changed = true;
+        if (depth[o] > longest_chain)
           fail(fmt::format("/operations/{}/incoming", o), quoted(s.operations[o].name),
-               "receives from itself, directly or over other operations");
-        if (seen[index]) continue;
-        seen[index] = true;
-        open.push_back(&source);
+               fmt::format("receives from itself over other operations, or over more than {} of them",
+                           longest_chain));
       }
-    }
+    if (!changed) break;
   }
 }
 

@@ -45,6 +45,12 @@ void follow_each_tooth(operations::CutPlan& plan) {
 }  // namespace
 
 operations::CutPlan plan(const Scenario& scenario, const Operation& operation, const Machine& machine) {
+  PlansBefore before;
+  return plan(scenario, operation, machine, before);
+}
+
+operations::CutPlan plan(const Scenario& scenario, const Operation& operation, const Machine& machine,
+                         PlansBefore& before) {
   operations::PlanContext context{.machine = &machine.limits,
                                   .spindle = machine.spindle ? &*machine.spindle : nullptr};
   const Tool* tool = operation.tool.empty() ? nullptr : find_named(scenario.tools, operation.tool);
@@ -59,7 +65,7 @@ operations::CutPlan plan(const Scenario& scenario, const Operation& operation, c
     }
   }
   operations::CutPlan plan = operation.incoming.empty() ? operation.process.plan(context)
-                                                        : received(scenario, operation).plan(context);
+                                                        : received(scenario, operation, before).plan(context);
   if (tool != nullptr && tool->teeth > 1) follow_each_tooth(plan);
   return plan;
 }

@@ -11,16 +11,11 @@ namespace verstat::shop {
 
 // Numbers are drawn only where there is a chance at all, from streams of their own.
 bool Shop::breaks(MachineUnit& machine, const PlannedOperation& operation) {
-  const double chance = operation.plan.breakage_probability;
-  return chance > 0 && machine.breakage_stream.uniform() < chance;
+  return operation.breaks > 0 && machine.breakage_stream.uniform() < operation.breaks;
 }
 
 bool Shop::spoils(MachineUnit& machine, const PlannedOperation& operation) {
-  // Of an inspection it is the share rejected when defects come as its plan assumes: here they come as they
-  // are.
-  double kept = operation.plan.detection ? 1 : 1 - operation.plan.scrap_probability;
-  if (operation.spec->quality) kept *= 1 - operation.spec->quality->scrap_probability;
-  return kept < 1 && machine.quality_stream.uniform() < 1 - kept;
+  return operation.spoils > 0 && machine.quality_stream.uniform() < operation.spoils;
 }
 
 // What the drawing asks is decided where the route leaves the quantity for the last time.
@@ -51,6 +46,7 @@ void Shop::build_quality() {
   for (const OperationUnit& operation : operations_)
     for (const PlannedOperation& planned : operation.on) {
       if (!planned.plan.gauge) continue;
+      groups_[planned.group]->has_gauge = true;
       for (const auto& machine : machines_)
         if (machine->group == groups_[planned.group].get())
           machine->gauges.push_back({.operation = &planned, .start = planned.plan.gauge->start});
@@ -58,16 +54,18 @@ void Shop::build_quality() {
 }
 
 bool Shop::leaves_defect(MachineUnit& machine, const PlannedOperation& operation) {
+  const Job& job = *machine.job;
+  const bool judged = !states_[job.part].empty();
+  if (operation.quality == nullptr && !judged) return false;
   double chance = 0;
-  if (operation.spec->quality) {
-    const scenarios::Quality& quality = *operation.spec->quality;
+  if (operation.quality != nullptr) {
+    const scenarios::Quality& quality = *operation.quality;
     const double worn = quality.defect_when_worn > 0
                             ? quality.defect_when_worn * std::pow(machine.part_wear, quality.wear_exponent)
                             : 0;
     chance = quality.defect_probability + worn;
   }
-  const Job& job = *machine.job;
-  if (!states_[job.part].empty()) {
+  if (judged) {
     const auto group =
         static_cast<std::size_t>(&operation - operations_[routes_[job.part][job.step].operation].on.data());
     double kept = 1 - chance;

@@ -119,6 +119,37 @@ TEST_CASE("what cannot be handed on is refused by its place") {
   CHECK_NOTHROW(scenarios::load(two));
 }
 
+TEST_CASE("ladders of operations that hand on are planned once each, and have an end") {
+  json ladder = shop();
+  ladder["operations"].erase(2);
+  ladder["machines"].erase(2);
+  json rung = ladder["operations"][1];
+  json names = {"grind", "finish"};
+  for (int k = 0; k < 40; ++k) {  // two ways from each rung to the one below: 2^40 ways in all
+    json next = rung;
+    next["name"] = "rung " + std::to_string(k);
+    next["incoming"] = {{{"from", names.back()}, {"quantity", "ra_um"}, {"input", "ra_before_um"}},
+                        {{"from", names[names.size() - 2]},
+                         {"quantity", k == 0 ? "roughness_ra_um" : "ra_um"},
+                         {"input", "time_constant_min"}}};
+    next["incoming"][1]["factor"] = 10;
+    ladder["operations"].push_back(next);
+    names.push_back(next["name"]);
+  }
+  ladder["parts"][0]["route"] = names;
+  const auto s = scenarios::load(ladder);
+  CHECK(value(s, 41, "ra_um") <= value(s, 1, "ra_um"));
+  for (int k = 40; k < 60; ++k) {
+    json next = rung;
+    next["name"] = "rung " + std::to_string(k);
+    next["incoming"] = {{{"from", names.back()}, {"quantity", "ra_um"}, {"input", "ra_before_um"}}};
+    ladder["operations"].push_back(next);
+    names.push_back(next["name"]);
+  }
+  ladder["parts"][0]["route"] = names;
+  refused(ladder, "/incoming", "more than 50");
+}
+
 TEST_CASE("a drawing that nobody can judge is refused by its place") {
   const auto with = [](const json& requirement) {
     json s = shop();
