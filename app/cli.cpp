@@ -159,6 +159,15 @@ std::string harmless(std::string text) {
   return text;
 }
 
+}  // namespace
+
+void print_warnings(const std::vector<scenarios::Warning>& warnings) {
+  for (const scenarios::Warning& warning : warnings)
+    fmt::print(stderr, "warning: {}: {}\n", warning.pointer, harmless(warning.text));
+}
+
+namespace {
+
 int report(const std::string& text, ExitCode code) {
   const bool colour = isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
   fmt::print(stderr, "{}error:{} {}\n", colour ? "\033[31m" : "", colour ? "\033[0m" : "", harmless(text));

@@ -24,7 +24,8 @@ struct Job {
   std::size_t part = 0;
   std::size_t step = 0;
   std::int64_t quantity = 1;
-  std::int64_t defects = 0;  ///< parts among them with a hidden defect
+  std::int64_t defects = 0;      ///< parts among them with a hidden defect
+  bool defects_assumed = false;  ///< an inspection took them from its own plan
   std::int64_t reworks = 0;
   double arrived_min = 0;
   double due_min = std::numeric_limits<double>::infinity();

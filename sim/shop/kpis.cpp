@@ -18,7 +18,7 @@ constexpr std::string_view meaning_of(MachineState state) {
       "share of the time spent on operations given as durations",
       "share of the time spent loading and unloading",
       "share of the time spent changing over",
-      "share of the time in planned insert changes, crew at work",
+      "share of the time in planned changes of inserts or gauges",
       "share of the time in insert changes after a failure, crew at work",
       "share of the time waiting for a crew that is busy elsewhere or off",
       "share of the time waiting for a tool or an insert",
@@ -80,6 +80,7 @@ bool Shop::can_occur(const Group& group, MachineState state) const {
     case MachineState::idle:
       return true;
     case MachineState::planned_change:
+      return group.has_tool || group.has_gauge;
     case MachineState::failure_change:
       return group.has_tool;
     case MachineState::waiting_crew:
@@ -136,7 +137,7 @@ bool Shop::can_occur(Cost cost) const {
     case Cost::operations:
       for (const scenarios::Operation& operation : scenario_.operations)
         if (operation.cost > 0) return true;
-      return false;
+      return any_group([](const Group& group) { return group.has_gauge; });
     case Cost::escapes:
       for (const scenarios::PartType& part : scenario_.parts)
         if (part.escape_cost > 0) return true;
@@ -164,6 +165,7 @@ void Shop::settle() {
   for (Grade& grade : grades_) grade.weeks.close();
   for (const auto& machine : machines_) {
     machine->clock.settle(sim_.now());
+    machine->missions.close();
     for (const auto& tool : machine->tools) {
       tool->clock.settle(sim_.now());
       tool->stops.close();
@@ -179,6 +181,7 @@ void Shop::reset_counts() {
   costs_.reset();
   reset_tool_counts();
   reset_limits();
+  reset_quality_counts();
   for (PartCounts& part : parts_) part = PartCounts();
   for (const auto& machine : machines_) {
     machine->clock.reset(now);
@@ -410,12 +413,13 @@ void Shop::part_kpis(const KpiSink& sink) const {
     bool inspected = false;
     for (const scenarios::RouteStep& step : routes_[p]) {
       reworks = reworks || step.rework != scenarios::route_end;
-      inspected = inspected || operations_[step.operation].spec->quality.has_value();
+      inspected = inspected || operations_[step.operation].spec->quality.has_value() ||
+                  operations_[step.operation].on.front().plan.detection.has_value();
     }
     if (reworks)
       put("rework_ratio", "1", "parts sent to rework / parts finished",
           ratio(static_cast<double>(counts.reworked), finished));
-    if (inspected)
+    if (inspected || !type.requirements.empty())
       put("escape_ratio", "1", "good parts with a defect that nobody saw / good parts",
           ratio(static_cast<double>(counts.escaped), good));
     if (has_due_dates(type)) {
@@ -424,6 +428,7 @@ void Shop::part_kpis(const KpiSink& sink) const {
       put("tardiness_min", "min", "mean time after the due date, parts in time count as zero",
           ratio(counts.tardiness_min, good));
     }
+    requirement_kpis(p, sink);
   }
 }
 
@@ -491,6 +496,7 @@ void Shop::each_kpi(const KpiSink& sink) const {
   shop_kpis(sink);
   machine_kpis(sink);
   limit_kpis(sink);
+  gauge_kpis(sink);
   double finished = 0;
   for (const PartCounts& part : parts_) finished += static_cast<double>(part.good + part.scrapped);
   tool_kpis(finished, sink);
@@ -498,6 +504,7 @@ void Shop::each_kpi(const KpiSink& sink) const {
   crew_kpis(sink);
   part_kpis(sink);
   store_and_transport_kpis(sink);
+  criteria_kpis(sink);
 }
 
 // A budget that ran out is the scenario's affair: said in its words, with the way out.

@@ -38,6 +38,7 @@ struct Shop::Group {
   std::vector<std::size_t> releases;         // part types whose release waits for this queue to shorten
   bool assembles_unlimited = false;          // one of the unlimited parts starts with an assembly
   bool has_tool = false;
+  bool has_gauge = false;  // that is replaced at its wear limit
   std::size_t next_unlimited = 0;
   std::optional<scenarios::WorkingTime> working_time;
   std::optional<sim::Distribution> loading_time;
@@ -122,6 +123,25 @@ struct Shop::MountedTool {
   sim::RandomStream regrind_stream;
 };
 
+// The gauges of one operation at one machine.
+struct Shop::GaugeUnit {
+  const PlannedOperation* operation;
+  [[nodiscard]] const operations::GaugeWear& spec() const { return *operation->plan.gauge; }
+  [[nodiscard]] double worn() const {
+    return start + static_cast<double>(checks_of_this_one) * spec().wear_per_check;
+  }
+  double start = 0;  // share worn off when these gauges came
+  std::uint64_t checks_of_this_one = 0;
+  // Since the end of the warm-up.
+  std::uint64_t checks = 0;
+  std::uint64_t changes = 0;
+  double worn_sum = 0;  // over the checks
+  std::uint64_t good = 0;
+  std::uint64_t good_rejected = 0;
+  std::uint64_t defective = 0;
+  std::uint64_t defective_accepted = 0;
+};
+
 // A failure mode or a maintenance job of one machine.
 struct Shop::Stop {
   Stop(std::uint64_t seed, const std::string& entity, std::uint64_t replication)
@@ -169,6 +189,8 @@ struct Shop::MachineUnit {
   Group* group;
   std::size_t index;  // among all machines
   std::vector<std::unique_ptr<Stop>> stops;
+  std::vector<GaugeUnit> gauges;
+  IntervalCount missions;                           // windows with failures, for the criteria of efficiency
   std::vector<std::unique_ptr<MountedTool>> tools;  // by name, the same on every machine of the group
   Job* job = nullptr;                               // in work
   bool has_joiners = false;                         // a tool whose strategy uses other stops

@@ -28,7 +28,7 @@ TEST_CASE("lead times: the phases add up to the whole", "[shop][flow]") {
   }
 }
 
-TEST_CASE("two machines with a buffer of b between them are an M/M/1/(b+3) queue", "[shop][flow]") {
+TEST_CASE("two machines with a buffer of b between them are an M/M/1/(b+3) queue", "[shop][flow][long]") {
   // Exponential times of the same mean, blocking after service: the second machine starves with probability
   // 1 / (b + 3); throughput (b + 2) / (b + 3).
   for (const int buffer : {0, 2}) {
@@ -45,7 +45,7 @@ TEST_CASE("two machines with a buffer of b between them are an M/M/1/(b+3) queue
   }
 }
 
-TEST_CASE("CONWIP with n batches over two equal machines: mean-value analysis", "[shop][flow]") {
+TEST_CASE("CONWIP with n batches over two equal machines: mean-value analysis", "[shop][flow][long]") {
   for (const int cap : {1, 4}) {
     json shop = small_shop(always(), exponential(1));
     shop["machines"].push_back({{"name", "n"}});

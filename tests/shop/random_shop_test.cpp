@@ -96,6 +96,15 @@ json random_shop() {
   if (chance(30)) shop["crews"][1]["calendar"] = "day";
   const int machines = pick(1, 4);
   for (int k = 0; k < machines; ++k) shop["machines"].push_back(random_machine(k));
+  if (chance(40)) shop["criteria"] = {{"mission_min", 97}};
+  static const json gauge = [] {
+    json process =
+        scenarios::read_json_file(VERSTAT_SOURCE_DIR "/scenarios/gallery/operations/gauge_inspection.json")
+            .at("process");
+    process["wear_per_check_um"] = 0.35;
+    process["replace_min"] = 0.83;
+    return process;
+  }();
   const int operations = pick(machines, machines + 3);
   for (int k = 0; k < operations; ++k) {
     json operation = {{"name", "o" + std::to_string(k)},
@@ -111,6 +120,10 @@ json random_shop() {
     }
     if (chance(40)) operation["quality"] = {{"scrap_probability", 0.05}, {"defect_probability", 0.1}};
     if (chance(25)) operation["inspection"] = {{"share", 0.8}, {"sensitivity", 0.9}, {"specificity", 0.95}};
+    if (chance(15)) {  // gauges that last 40 checks
+      operation["process"] = gauge;
+      operation["process"]["check_min"] = 0.3 + 0.01 * k;
+    }
     if (chance(30)) operation["family"] = "x";
     shop["operations"].push_back(operation);
   }
