@@ -7,6 +7,7 @@
 
 #include "app/cli.h"
 #include "app/elsewhere.h"
+#include "app/files.h"
 #include "app/interrupt.h"
 #include "app/study_report.h"
 #include "app/study_session.h"
@@ -63,21 +64,8 @@ Prepared prepare_files(const OptimizeOptions& options) {
   } catch (const scenarios::InputError& e) {
     throw UsageError(fmt::format("{}: {}", where, e.what()));
   }
-  std::string scenario_text;
-  try {
-    scenario_text = scenarios::read_text_file(scenario_file);
-  } catch (const scenarios::InputError& e) {
-    throw UsageError(fmt::format("scenario {}: {}", scenario_file, e.what()));
-  }
+  const std::string scenario_text = read_scenario_text(scenario_file);
   return prepare(where, text, "scenario " + scenario_file, scenario_text, changes_of(options.common));
-}
-
-std::int64_t study_number(const std::string& text) {
-  std::int64_t id = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), id);
-  if (error != std::errc() || stop != text.data() + text.size() || id < 1)
-    throw UsageError(fmt::format("--resume {}: must be the number of a study", text.substr(0, 100)));
-  return id;
 }
 
 double seconds(const std::string& text) {
@@ -253,16 +241,17 @@ int optimize_study(OptimizeOptions& options) {
     plan.insert(plan.end(), p->changes.begin(), p->changes.end());
     const auto best = optimize::changes_at(study.variables, answer.best->x);
     plan.insert(plan.end(), best.begin(), best.end());
-    write_file(options.plan_file, changed_text(p->loaded.text, plan));
+    write_file("--write-plan", options.plan_file, changed_text(p->loaded.text, plan));
   }
   if (options.common.json) {
-    ordered_json out = {
-        {"study", session->id()},
-        {"name", study.name},
-        {"baseline_run", session->baseline_run() ? ordered_json(*session->baseline_run()) : nullptr},
-        {"best_run", session->best_run() ? ordered_json(*session->best_run()) : nullptr}};
+    const auto number = [](const std::optional<std::int64_t>& run) {
+      return run ? ordered_json(*run) : ordered_json(nullptr);
+    };
+    ordered_json out = {{"name", study.name},
+                        {"baseline_run", number(session->baseline_run())},
+                        {"best_run", number(session->best_run())}};
     out.update(result);
-    fmt::print("{}\n", out.dump(2));
+    print_json(session->id(), out);
   } else {
     fmt::print("{}\n\n", study.name);
     print_findings(result);
