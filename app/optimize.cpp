@@ -80,7 +80,7 @@ store::Study record_of(const Prepared& p) {
   store::Study record;
   record.header = {.name = p.spec.name,
                    .scenario_name = p.loaded.scenario.name,
-                   .objective = p.spec.objective.kpi,
+                   .objective = p.spec.objective.label(),
                    .seed = p.loaded.scenario.simulation.seed.value,
                    .provenance = provenance()};
   record.study_text = p.text;
@@ -198,7 +198,9 @@ int optimize_study(OptimizeOptions& options) {
       // Simulated only.
     }
   }
-  if (answer.best && answer.interrupted.empty()) try {
+  const bool simulated = study.objective.function.empty();
+  if (answer.best && answer.interrupted.empty() && !simulated) analyse(*problem, findings);
+  if (answer.best && answer.interrupted.empty() && simulated) try {
       std::vector<Change> made = optimize::fixed_changes(study);
       made.insert(made.end(), p->changes.begin(), p->changes.end());
       const auto confirm_with =

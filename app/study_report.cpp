@@ -7,6 +7,7 @@
 #include "app/results.h"
 #include "app/study_session.h"
 #include "app/table.h"
+#include "models/catalogue/catalogue.h"
 #include "optimize/compare.h"
 #include "store/result_json.h"
 
@@ -36,6 +37,16 @@ std::string words_of(const StudyFindings& f) {
   if (!f.answer.best)
     return f.nearest_miss.empty() ? "No feasible plan was found."
                                   : "No feasible plan was found: " + f.nearest_miss + ".";
+  if (!f.study.objective.function.empty()) {
+    const double best = f.answer.best->value;
+    std::string words = fmt::format("The best plan's {} is {:.6g}", f.study.objective.label(), best);
+    if (f.answer.baseline_value && *f.answer.baseline_value != 0)
+      words += fmt::format(", {:+.3g} % against today's {:.6g}", 100 * (best / *f.answer.baseline_value - 1),
+                           *f.answer.baseline_value);
+    words += ", as the catalogue computes it.";
+    if (!f.answer.baseline_feasible) words += " Today's plan does not meet the constraints.";
+    return words;
+  }
   if (!f.confirmation) return "The best plan was not confirmed by simulation.";
   const auto kpi = *f.confirmation->baseline.index_of(f.study.objective.kpi);
   const auto base = f.confirmation->baseline.estimates[kpi].mean;
@@ -95,7 +106,7 @@ ordered_json front_json(const StudySpec& study, const FrontAnswer& front) {
   ordered_json objectives = ordered_json::array();
   for (const ObjectiveSpec& o : study.objectives)
     objectives.push_back(
-        {{"kpi", o.kpi}, {"direction", o.direction == Direction::maximize ? "maximize" : "minimize"}});
+        {{"kpi", o.label()}, {"direction", o.direction == Direction::maximize ? "maximize" : "minimize"}});
   ordered_json points = ordered_json::array();
   for (const FrontEstimate& p : front.points) {
     points.push_back({{"values", point(study, p.x)}, {"objectives", p.objectives}});
@@ -126,7 +137,10 @@ ordered_json to_json(const StudyFindings& f) {
   std::string unit = study.objective.kpi.starts_with("cost") ? f.currency : "1";
   if (f.confirmation)
     unit = f.confirmation->baseline.kpis[*f.confirmation->baseline.index_of(study.objective.kpi)].unit;
-  ordered_json j = {{"objective", study.objective.kpi},
+  if (!study.objective.function.empty())
+    for (const auto& output : models::catalogue().at(study.objective.function).outputs)
+      if (output.name == study.objective.output) unit = output.unit;
+  ordered_json j = {{"objective", study.objective.label()},
                     {"direction", study.objective.direction == Direction::maximize ? "maximize" : "minimize"},
                     {"unit", unit},
                     {"baseline",
@@ -149,7 +163,8 @@ ordered_json to_json(const StudyFindings& f) {
   else if (!f.answer.best)
     j["verdict"] = "infeasible";
   else
-    j["verdict"] = f.confirmation ? f.confirmation->verdict : "not confirmed";
+    j["verdict"] = f.confirmation ? f.confirmation->verdict
+                                  : (study.objective.function.empty() ? "not confirmed" : "computed");
   j["words"] = words_of(f);
   if (!f.answer.interrupted.empty()) j["interrupted"] = f.answer.interrupted;
   if (!f.answer.not_covered.empty()) j["simulation_only"] = f.answer.not_covered;
@@ -171,8 +186,8 @@ ordered_json to_json(const StudyFindings& f) {
            {"allowed", b.allowed},
            {"shadow_price", b.shadow_price},
            {"words", fmt::format("1 {} more room at \"{}\" would improve the {} by {:.3g} {}",
-                                 b.unit == "1" ? "unit" : b.unit, b.name, kpi_in_words(study.objective.kpi),
-                                 b.shadow_price, unit)}});
+                                 b.unit == "1" ? "unit" : b.unit, b.name,
+                                 kpi_in_words(study.objective.label()), b.shadow_price, unit)}});
   }
   if (!f.sensitivity.empty()) {
     j["sensitivity"] = ordered_json::array();
@@ -226,8 +241,9 @@ void print_plan(const ordered_json& r) {
   const std::string unit = r["unit"].get<std::string>();
   const std::string what = kpi_in_words(r["objective"].get<std::string>());
   table.add({what + ", long run", six(today["analytic"]), has_best ? six(r["best"]["analytic"]) : "-", unit});
-  table.add({what + ", simulated", shown(today["simulated"], "half_width_95"),
-             has_best ? shown(r["best"]["simulated"], "half_width_95") : "-", unit});
+  if (r["verdict"] != "computed")
+    table.add({what + ", simulated", shown(today["simulated"], "half_width_95"),
+               has_best ? shown(r["best"]["simulated"], "half_width_95") : "-", unit});
   table.print();
 }
 

@@ -41,7 +41,8 @@ std::vector<Binding> binding_constraints(Problem& problem, const std::vector<dou
   if (!continuous) return all;
   const Look look = problem.look(best);
   const std::vector<Dimension> fixed = with_fixed_discrete(problem.dimensions(), best);
-  const SearchOptions local = local_search(options);
+  SearchOptions local = local_search(options);
+  local.slopes = [&](const std::vector<double>& x) { return measured(problem.slopes(x)); };
   // Both sides are searched alike, so that what the search misses cancels.
   const auto optimum = [&](const std::vector<Dimension>& dimensions, std::ptrdiff_t relaxed) {
     return minimize_mixed(
@@ -116,7 +117,9 @@ std::vector<Sensitivity> sensitivities(const Problem& problem, const std::vector
                             std::vector<double>& x) {
     Problem world(study, problem.scenario(), shifts);
     const auto measure = [&](const std::vector<double>& at) { return measured(world.evaluate(at)); };
-    const SearchResult there = minimize_mixed(measure, fixed, best, local);
+    SearchOptions search = local;
+    search.slopes = [&](const std::vector<double>& at) { return measured(world.slopes(at)); };
+    const SearchResult there = minimize_mixed(measure, fixed, best, search);
     objective = shown_value(study.objective, there.measured.value);
     x = there.x;
     const Measured kept = measure(best);

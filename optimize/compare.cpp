@@ -77,6 +77,7 @@ Comparison compare(std::size_t variants, const RunVariant& run, const CompareOpt
 }
 
 std::string kpi_in_words(const std::string& kpi) {
+  if (kpi.find('/') == std::string::npos && kpi.find(' ') != std::string::npos) return kpi;  // words already
   std::string what = kpi.substr(kpi.rfind('/') + 1);
   for (const std::string_view unit : {"_per_h", "_min", "_kwh"})
     if (what.ends_with(unit) && what.size() > unit.size()) {
