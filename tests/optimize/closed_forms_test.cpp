@@ -128,12 +128,16 @@ TEST_CASE("K113: the exit strategy is the cheapest of the four, and which one th
   shop["parts"][0].erase("release");
   for (const char* list : {"machines", "operations", "tools", "inserts"}) shop[list].erase(1);
   shop["crews"][0]["members"] = 4;
+  // Drills that wear slowly: between time and breaks, not between time and wear.
+  shop["inserts"][0]["price"] = 20;
+  shop["inserts"][0]["edge_life"]["mean_ref_min"] = 400;
+  shop["inserts"][0]["edge_life"]["feed_exponent"] = 0.05;
   json study = study_of("/operations/0/process/exit_strategy", 0, 1, {{"kpi", "cost_per_part"}});
   study["variables"] = json::parse(R"([{"name": "exit", "pointer": "/operations/0/process/exit_strategy",
     "type": "categorical", "options": ["constant", "reduced_full_depth", "reduced_exit", "spring_exit"]}])");
   std::vector<std::size_t> chosen;
-  for (const double damage : {0.0, 150.0, 5000.0}) {
-    shop["tools"][0]["failure_damage"] = damage;
+  for (const double break_torque_nm : {400.0, 110.0}) {
+    shop["operations"][0]["process"]["break_torque_nm"] = break_torque_nm;
     const Studied a(study, shop);
     // By hand: machine minutes, and a renewal for every drill that wears out, is changed or breaks.
     std::size_t best = 0;
@@ -153,16 +157,15 @@ TEST_CASE("K113: the exit strategy is the cheapest of the four, and which one th
         used += life.reliability(t) * std::exp(-rate * t) * tau / steps;
       }
       const double planned = life.reliability(tau) * std::exp(-rate * tau);
-      // Change 3 min, 6 more after a failure; drill 140, grinding 15; lathe 2.2 and setter 0.5 UAH/min.
+      // Change 3 min, 6 more after a failure, which costs 150 and 30 % of a part; drill 20, grinding 15;
+      // lathe 2.2 and setter 0.5 UAH/min.
       const double per_life =
-          planned * (3 * 2.7 + 140 + 15) + (1 - planned) * (9 * 2.7 + 140 + damage + 0.3 * 250);
-      const double value = s.parts[0].value;
-      const double spoilt = (1 - planned) * 0.3 * (value - 250);
-      costs.push_back(2.2 * (plan.main_time_min + 0.6) + plan.main_time_min / used * (per_life + spoilt));
+          planned * (3 * 2.7 + 20 + 15) + (1 - planned) * (9 * 2.7 + 20 + 150 + 0.3 * s.parts[0].value);
+      costs.push_back(2.2 * (plan.main_time_min + 0.6) + plan.main_time_min / used * per_life);
       if (costs[k] < costs[best]) best = k;
     }
-    INFO("damage " << damage << ", costs " << costs[0] << " " << costs[1] << " " << costs[2] << " "
-                   << costs[3]);
+    INFO("drills of " << break_torque_nm << " N m, costs " << costs[0] << " " << costs[1] << " " << costs[2]
+                      << " " << costs[3]);
     CHECK(a.answer.best->x[0] == static_cast<double>(best));
     CHECK(a.answer.best->value == Approx(costs[best]).epsilon(1e-6));
     chosen.push_back(best);
