@@ -213,6 +213,8 @@ ordered_json to_json(const StudyFindings& f) {
                               {"speed_shop_m_min", c.speed_shop_m_min},
                               {"life_shop_min", c.life_shop_min},
                               {"load", c.load},
+                              {"waits_for_crew", c.waits_for_crew},
+                              {"waits_for_stock", c.waits_for_stock},
                               {"why", c.why}});
   }
   return j;

@@ -192,6 +192,14 @@ ordered_json estimate_json(const shop::Estimate& e, const char* half_width) {
   return {{"mean", store::number_or_null(e.mean)}, {half_width, store::number_or_null(e.half_width)}};
 }
 
+store::StoreError with_way_on(const store::StoreError& error, const std::string& command,
+                              const StudySession& session) {
+  return store::StoreError(fmt::format(
+      "{}; the {} finished trials of study {} are kept: when there is room, go on with verstat {} "
+      "--resume {} --db {}",
+      error.what(), session.trials(), session.id(), command, session.id(), session.database()));
+}
+
 std::int64_t study_number(const std::string& text) {
   std::int64_t id = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), id);

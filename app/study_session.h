@@ -38,6 +38,7 @@ class StudySession {
   [[nodiscard]] store::Writer& writer() { return *writer_; }
   [[nodiscard]] optimize::Ledger& ledger() { return ledger_; }
   [[nodiscard]] std::int64_t trials() const { return trials_; }
+  [[nodiscard]] std::string database() const { return writer_->file().string(); }
   void set_budget(double time_s, std::int64_t trials) {
     time_budget_s_ = time_s;
     trial_budget_ = trials;
@@ -94,6 +95,9 @@ void print_json(std::int64_t study, const nlohmann::ordered_json& members);
 /// The same as text: "125.87 +- 0.21".
 [[nodiscard]] std::string shown(const nlohmann::ordered_json& estimate,
                                 const char* half_width = "half_width");
+/// What the database said when it could not keep a trial, and how the study goes on.
+[[nodiscard]] store::StoreError with_way_on(const store::StoreError& error, const std::string& command,
+                                            const StudySession& session);
 /// The value of --resume. Throws UsageError.
 [[nodiscard]] std::int64_t study_number(const std::string& text);
 /// The text of a scenario with changes made, in the order of its members.

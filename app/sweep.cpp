@@ -238,6 +238,8 @@ void sweep(SweepCommand& c) {
                                outcome.begin() + static_cast<std::ptrdiff_t>(k + 1) * n);
       session->progress("design", static_cast<std::int64_t>(p) + 1, static_cast<std::int64_t>(points));
     }
+  } catch (const store::StoreError& error) {
+    throw with_way_on(error, "sweep", *session);
   } catch (const optimize::Interrupted&) {
     session->finish("{}", "interrupted");
     fmt::print(stderr, "sweep {} goes on with: verstat sweep --resume {} --db {}\n", session->id(),
