@@ -133,7 +133,7 @@ TEST_CASE("a disk that fills up in the middle of a study: said in words, nothing
   const Answer whole = call("optimize " + file + " --progress none --json --db " + w.file("whole.db"));
   REQUIRE(whole.exit_code == 0);
   // Files that may not grow beyond some blocks: without the rights to mount a disk of that size, too.
-  for (const char* blocks : {"100", "400"}) {
+  for (const char* blocks : {"300", "700"}) {
     const std::string db = w.file(std::string("full") + blocks + ".db");
     const Answer full = call("optimize " + file + " --progress none --json --db " + db,
                              std::string("ulimit -f ") + blocks + ";");
