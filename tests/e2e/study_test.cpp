@@ -145,7 +145,7 @@ TEST_CASE("a disk that fills up in the middle of a study: said in words, nothing
                       "--resume 1 --db " +
                       db) != std::string::npos);
     const json half = json::parse(call("runs --study 1 --db " + db).out);
-    CHECK(half["trial_list"].size() > 10);
+    CHECK(half["trial_list"].size() > 3);
     CHECK(half["status"] == "running");
     const Answer rest = call("optimize --resume 1 --progress none --json --db " + db);
     REQUIRE(rest.exit_code == 0);
