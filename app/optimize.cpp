@@ -124,8 +124,10 @@ void analyse(Problem& problem, StudyFindings& findings) {
   const auto& best = *findings.answer.best;
   const auto seed = problem.typed_scenario_at(best.x).simulation.seed.value;
   const auto search = optimize::search_options(problem.study(), seed);
-  findings.one_cut = optimize::one_cut_optima(scenarios::load(problem.scenario_at(best.x)),
-                                              findings.confirmation ? &findings.confirmation->best : nullptr);
+  if (problem.study().objective.function.empty())
+    findings.one_cut =
+        optimize::one_cut_optima(scenarios::load(problem.scenario_at(best.x)),
+                                 findings.confirmation ? &findings.confirmation->best : nullptr);
   if (!problem.not_covered().empty() || problem.study().objectives.size() > 1) return;
   // Of the best plan in the long run: what simulation moved it by is no constraint.
   const std::vector<double>& x = findings.answer.analytic ? findings.answer.analytic->x : best.x;

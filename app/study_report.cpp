@@ -40,9 +40,12 @@ std::string words_of(const StudyFindings& f) {
   if (!f.study.objective.function.empty()) {
     const double best = f.answer.best->value;
     std::string words = fmt::format("The best plan's {} is {:.6g}", f.study.objective.label(), best);
-    if (f.answer.baseline_value && *f.answer.baseline_value != 0)
-      words += fmt::format(", {:+.3g} % against today's {:.6g}", 100 * (best / *f.answer.baseline_value - 1),
-                           *f.answer.baseline_value);
+    if (f.answer.baseline_value && *f.answer.baseline_value != 0) {
+      const double share = best / *f.answer.baseline_value - 1;
+      words += std::abs(share) < 1e-6
+                   ? std::string(", which is today's")
+                   : fmt::format(", {:+.3g} % against today's {:.6g}", 100 * share, *f.answer.baseline_value);
+    }
     words += ", as the catalogue computes it.";
     if (!f.answer.baseline_feasible) words += " Today's plan does not meet the constraints.";
     return words;
@@ -178,16 +181,24 @@ ordered_json to_json(const StudyFindings& f) {
   if (f.answer.front) j["front"] = front_json(study, *f.answer.front);
   if (!f.binding.empty()) {
     j["binding"] = ordered_json::array();
-    for (const Binding& b : f.binding)
+    for (const Binding& b : f.binding) {
+      std::string room = b.unit == "1" ? "unit" : b.unit;
+      if (f.confirmation)  // a KPI has its unit from the run
+        if (const auto k = f.confirmation->best.index_of(b.name)) room = f.confirmation->best.kpis[*k].unit;
+      const bool saves = study.objective.kpi.starts_with("cost_per_");
       j["binding"].push_back(
           {{"name", b.name},
            {"unit", b.unit},
            {"value", b.value},
            {"allowed", b.allowed},
            {"shadow_price", b.shadow_price},
-           {"words", fmt::format("1 {} more room at \"{}\" would improve the {} by {:.3g} {}",
-                                 b.unit == "1" ? "unit" : b.unit, b.name,
-                                 kpi_in_words(study.objective.label()), b.shadow_price, unit)}});
+           {"words",
+            saves
+                ? fmt::format("1 {} more room at \"{}\" saves {:.3g} {} per {}", room, b.name, b.shadow_price,
+                              unit, study.objective.kpi == "cost_per_part" ? "part" : "good part")
+                : fmt::format("1 {} more room at \"{}\" improves the {} by {:.3g} {}", room, b.name,
+                              kpi_in_words(study.objective.label()), b.shadow_price, unit)}});
+    }
   }
   if (!f.sensitivity.empty()) {
     j["sensitivity"] = ordered_json::array();
@@ -242,8 +253,10 @@ void print_plan(const ordered_json& r) {
   }
   const std::string unit = r["unit"].get<std::string>();
   const std::string what = kpi_in_words(r["objective"].get<std::string>());
-  table.add({what + ", long run", six(today["analytic"]), has_best ? six(r["best"]["analytic"]) : "-", unit});
-  if (r["verdict"] != "computed")
+  const bool computed = r["verdict"] == "computed";
+  table.add({what + (computed ? "" : ", long run"), six(today["analytic"]),
+             has_best ? six(r["best"]["analytic"]) : "-", unit});
+  if (!computed)
     table.add({what + ", simulated", shown(today["simulated"], "half_width_95"),
                has_best ? shown(r["best"]["simulated"], "half_width_95") : "-", unit});
   table.print();
