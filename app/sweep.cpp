@@ -329,7 +329,7 @@ void sweep(SweepCommand& c) {
              design.resolution > 0 ? fmt::format(", resolution {}", design.resolution) : "", n);
   for (std::size_t f = 0; f < factors.size(); ++f) fmt::print("{:>2} {}\n", f + 1, factors[f].pointer);
   fmt::print("\n");
-  Table table(std::string(factors.size() + c.kpis.size(), 'r'), "  ");
+  Table table(std::string(factors.size() + c.kpis.size(), 'r'), "", 10);
   std::vector<std::string> head;
   for (std::size_t f = 0; f < factors.size(); ++f) head.push_back(std::to_string(f + 1));
   head.insert(head.end(), c.kpis.begin(), c.kpis.end());

@@ -22,7 +22,7 @@ void Table::add(std::vector<std::string> cells) {
 }
 
 std::string Table::text() const {
-  std::vector<std::size_t> widths(align_.size(), 0);
+  std::vector<std::size_t> widths(align_.size(), least_width_);
   for (const auto& row : rows_)
     for (std::size_t k = 0; k < row.size(); ++k) widths[k] = std::max(widths[k], width_of(row[k]));
   std::string text;

@@ -8,9 +8,9 @@ namespace verstat::app {
 
 class Table {
  public:
-  /// `align` has one letter per column: l to the left, r to the right.
-  explicit Table(std::string align, std::string indent = "")
-      : align_(std::move(align)), indent_(std::move(indent)) {}
+  /// `align` has one letter per column: l to the left, r to the right. Columns are at least `least_width`.
+  explicit Table(std::string align, std::string indent = "", std::size_t least_width = 0)
+      : align_(std::move(align)), indent_(std::move(indent)), least_width_(least_width) {}
   /// A row; cells that are left out are empty.
   void add(std::vector<std::string> cells);
   /// All rows, two blanks between columns, none at the end of a line.
@@ -20,6 +20,7 @@ class Table {
  private:
   std::string align_;
   std::string indent_;
+  std::size_t least_width_;
   std::vector<std::vector<std::string>> rows_;
 };
 
