@@ -78,9 +78,10 @@ std::vector<Loss> losses_of(const scenarios::Scenario& s) {
                      "failure",
                      {{fmt::format("{}/failures/{}/time_to_failure", at, f), never}}});
     for (std::size_t k = 0; k < machine.maintenance.size(); ++k)
-      all.push_back({fmt::format("time of {} of {}", machine.maintenance[k].name, machine.name),
-                     "change",
-                     {{fmt::format("{}/maintenance/{}/duration", at, k), nothing()}}});
+      if (mean_min(machine.maintenance[k].duration) > 0)
+        all.push_back({fmt::format("time of {} of {}", machine.maintenance[k].name, machine.name),
+                       "change",
+                       {{fmt::format("{}/maintenance/{}/duration", at, k), nothing()}}});
     if (machine.setup) all.push_back({"setting up " + machine.name, "change", {{at + "/setup", nullptr}}});
   }
   for (std::size_t o = 0; o < s.operations.size(); ++o) {

@@ -4,6 +4,7 @@
 #include <csignal>
 #include <cstdlib>
 #include <map>
+#include <regex>
 #include <set>
 #include <sstream>
 #include <thread>
@@ -254,6 +255,20 @@ TEST_CASE("compare says what differs, and only then") {
   CHECK(j["variants"][2]["differences"][0]["verdict"] == "unchanged");
   CHECK(j["variants"][2]["differences"][0]["difference"]["mean"] == 0.0);
   CHECK(json::parse(call("runs --study 1 --db " + w.file("a.db")).out)["kind"] == "compare");
+  // In words as an engineer says it, and names as long as they are.
+  CHECK(std::regex_match(
+      j["variants"][1]["words"].get<std::string>(),
+      std::regex(
+          "gamma 0\\.47 costs [0-9.]+ \\+- [0-9.]+ % less per part; throughput is [0-9.]+ \\+- [0-9.]+ % "
+          "(higher|lower)\\.")));
+  CHECK(j["variants"][2]["words"] == "same costs the same per part; throughput is unchanged.");
+  const Answer text = call("compare " + cell +
+                           " --variant 'a name of more than twenty-two letters: "
+                           "/tools/0/strategy/gamma=0.47' --kpi cost_per_part --kpi "
+                           "'tool/roughing tool/failure_share' --set /simulation/horizon_min=30000 --db " +
+                           w.file("a.db"));
+  CHECK(text.out.find(cell + "  a name of more than twenty-two letters  ") != std::string::npos);
+  CHECK(text.out.find("failure share of roughing tool is") != std::string::npos);
   CHECK(call("compare " + cell).exit_code == 2);
   CHECK(call("compare " + cell + " --variant nonsense").exit_code == 2);
   CHECK(call("compare " + cell + " " + cell + " --kpi beauty").exit_code == 2);
@@ -287,6 +302,15 @@ TEST_CASE("sweeps: effects with the signs of the shop, any design, resumed when 
   CHECK(
       call("sweep " + cell + " --factor /tools/0/strategy/gamma=0.5..2" + quick + w.file("c.db")).exit_code ==
       2);
+  // Names of any length stand apart.
+  const Answer wide =
+      call("sweep " + cell + factors +
+           " --kpi 'tool/roughing tool/inserts_per_100_parts' --kpi 'tool/roughing "
+           "tool/insert_cycle_availability' --set /simulation/horizon_min=12000 --replications 2 --db " +
+           w.file("b.db"));
+  CHECK(wide.out.find(
+            "tool/roughing tool/inserts_per_100_parts  tool/roughing tool/insert_cycle_availability") !=
+        std::string::npos);
   CHECK(call("sweep " + cell + " --factor gamma" + quick + w.file("c.db")).exit_code == 2);
   CHECK(call("sweep " + cell + factors + " --design magic" + quick + w.file("c.db")).exit_code == 2);
   CHECK_FALSE(std::filesystem::exists(w.file("c.db")));  // nothing half-written
@@ -303,6 +327,25 @@ TEST_CASE("sweeps: effects with the signs of the shop, any design, resumed when 
   (void)ended(child);
   const json rest = json::parse(call("sweep --resume 1 --json --db " + w.file("d.db")).out);
   CHECK(rest == json::parse(call(long_sweep + w.file("e.db")).out));
+}
+
+TEST_CASE("an objective of the catalogue: K117's rational gamma from the command line") {
+  const Workspace w;
+  std::ofstream(w.file("cell.json")) << read_file(cell);
+  std::ofstream(w.file("f.study.json")) << R"({"name": "rational gamma", "scenario": "cell.json",
+    "variables": [{"name": "gamma", "pointer": "/tools/0/strategy/gamma", "low": 0.4, "high": 0.99}],
+    "objective": {"function": "K117.part_cost_at_gamma", "output": "part_cost",
+                  "inputs": {"gamma": {"pointer": "/tools/0/strategy/gamma"}, "accounting": "renewal"}}})";
+  const Answer a = call("optimize " + w.file("f.study.json") + " --json --db " + w.file("a.db"));
+  INFO(a.err);
+  REQUIRE(a.exit_code == 0);
+  const json j = json::parse(a.out);
+  CHECK(j["verdict"] == "computed");
+  CHECK(j["best"]["values"][0]["value"].get<double>() == Approx(0.775).margin(0.0006));
+  CHECK(j["objective"] == "part_cost of K117.part_cost_at_gamma");
+  const Answer wrong =
+      call("optimize " + w.file("f.study.json") + " --set /tools/0/strategy/gamm=1 --db " + w.file("a.db"));
+  CHECK(wrong.exit_code == 2);
 }
 
 TEST_CASE("the price list of losses is in order and has the right signs") {
