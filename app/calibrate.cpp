@@ -32,8 +32,7 @@ void add_calibrate(CLI::App& program) {
   command->add_option("--out", f->out, "write the changes with their provenance to this file, for --changes");
   command->add_option("--seed", f->common.seed, "seed of all random streams, 0 to 18446744073709551615");
   command->add_option("--threads", f->common.threads, "threads to use (results do not depend on it)");
-  command->add_option("--set", f->common.set, "change one value first: POINTER=VALUE; may be repeated")
-      ->allow_extra_args(false);
+  add_changes(*command, f->common);
   add_json(*command, f->common);
   command->footer(
       "Example:\n  verstat calibrate scenarios/gallery/heavy-lathe.json --totals "

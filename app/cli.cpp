@@ -14,6 +14,7 @@
 #include <unistd.h>
 
 #include "app/version.h"
+#include "fit/library.h"
 #include "fit/order_file.h"
 #include "models/catalogue/closest.h"
 #include "models/catalogue/error.h"
@@ -40,6 +41,11 @@ void add_changes(CLI::App& command, CommonOptions& options) {
   command
       .add_option("--changes", options.changes,
                   "make the changes of this file, as verstat fit --out writes it; may be repeated")
+      ->allow_extra_args(false);
+  command
+      .add_option(
+          "--use", options.use,
+          "POINTER=FILE: put a library entry there, as verstat fit --library writes it; may be repeated")
       ->allow_extra_args(false);
 }
 void add_run_options(CLI::App& command, CommonOptions& options) {
@@ -94,6 +100,8 @@ int thread_count(const CommonOptions& options) {
 
 std::vector<Change> changes_of(const CommonOptions& options) {
   std::vector<Change> changes;
+  for (const std::string& text : options.use)
+    for (Change& change : fit::changes_of_use(text)) changes.push_back(std::move(change));
   for (const std::string& file : options.changes)
     for (Change& change : changes_in(file)) changes.push_back(std::move(change));
   for (const std::string& text : options.set) changes.push_back(scenarios::parse_change(text));

@@ -37,18 +37,19 @@ struct CommonOptions {
   std::string threads;
   std::vector<std::string> set;
   std::vector<std::string> changes;  ///< files
+  std::vector<std::string> use;      ///< library entries, POINTER=FILE
 };
 void add_json(CLI::App& command, CommonOptions& options);
 void add_db(CLI::App& command, CommonOptions& options);
-/// --set, --changes
+/// --set, --changes, --use
 void add_changes(CLI::App& command, CommonOptions& options);
-/// --seed, --replications, --threads, --set, --changes
+/// --seed, --replications, --threads, --set, --changes, --use
 void add_run_options(CLI::App& command, CommonOptions& options);
 
 /// Threads to use: --threads, else as many as the machine has. Throws UsageError.
 [[nodiscard]] int thread_count(const CommonOptions& options);
-/// The changes of --changes files, of --set, then --seed and --replications as changes of the simulation
-/// settings. Throws InputError.
+/// The changes of --use entries, of --changes files, of --set, then --seed and --replications as changes of
+/// the simulation settings. Throws InputError.
 [[nodiscard]] std::vector<scenarios::Change> changes_of(const CommonOptions& options);
 [[nodiscard]] std::string changes_text(const std::vector<scenarios::Change>& changes);
 

@@ -2,6 +2,7 @@
 #include <charconv>
 #include <filesystem>
 #include <fstream>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -9,12 +10,29 @@
 #include "app/files.h"
 #include "app/fit_answer.h"
 #include "fit/event_report.h"
+#include "fit/library.h"
 #include "fit/life_report.h"
 #include "fit/taylor_report.h"
 #include "fit/value_report.h"
 
 namespace verstat::app {
 namespace {
+
+std::optional<double> maybe(const char* flag, const std::string& text, double low, double high) {
+  if (text.empty()) return std::nullopt;
+  return real_flag(flag, text, low, high);
+}
+
+/// One flag with one value; its default is what `to` holds.
+void add_value_flag(CLI::App& command, const std::string& flag, std::string& to, const std::string& what) {
+  auto* option = command.add_option(flag, to, what);
+  if (!to.empty()) option->capture_default_str();
+}
+/// A flag that may be repeated.
+void add_repeated_flag(CLI::App& command, const std::string& flag, std::vector<std::string>& to,
+                       const std::string& what) {
+  command.add_option(flag, to, what)->allow_extra_args(false);
+}
 
 // What all tables have in common.
 struct TableFlags {
@@ -25,23 +43,32 @@ struct TableFlags {
   std::string confidence = "0.95";
   std::string seed = "1";
   std::string out;
+  std::string library;
   bool json = false;
 
-  void add_to(CLI::App& command, const char* what) {
-    command.add_option("FILE", file, what)->required();
-    command.add_option("--column", columns, "ROLE=HEADER: which column plays a role; may be repeated")
-        ->allow_extra_args(false);
-    command.add_option("--encoding", table.encoding, "utf-8 or cp1251 (else found, with a note)");
-    command.add_option("--separator", table.separator, "comma, semicolon or tab (else found, with a note)");
-    command.add_option("--decimal", table.decimal, "point or comma (else found, refused when in doubt)");
-    command
-        .add_option("--duplicates", duplicates,
-                    "rows written twice: drop, keep, or identity (drop when a column tells items apart)")
-        ->capture_default_str();
-    command.add_option("--confidence", confidence, "of the intervals, 0.5 to 0.999")->capture_default_str();
-    command.add_option("--seed", seed, "of simulated samples")->capture_default_str();
-    command.add_option("--out", out, "write the changes with their provenance to this file, for --changes");
-    command.add_flag("--json", json, "print the answer as JSON on standard output");
+  CLI::App* add_to(CLI::App& parent, const char* name, const char* what, const char* file_what) {
+    CLI::App* command = parent.add_subcommand(name, what);
+    command->add_option("FILE", file, file_what)->required();
+    add_repeated_flag(*command, "--column", columns,
+                      "ROLE=HEADER: which column plays a role; may be repeated");
+    add_value_flag(*command, "--encoding", table.encoding, "utf-8 or cp1251 (else found, with a note)");
+    add_value_flag(*command, "--separator", table.separator,
+                   "comma, semicolon or tab (else found, with a note)");
+    add_value_flag(*command, "--decimal", table.decimal,
+                   "point or comma (else found, refused when in doubt)");
+    add_value_flag(*command, "--sheet", table.sheet, "sheet of an xlsx workbook (else the first one)");
+    add_value_flag(*command, "--duplicates", duplicates,
+                   "rows written twice: drop, keep, or identity (drop when a column tells items apart)");
+    add_value_flag(*command, "--confidence", confidence, "of the intervals, 0.5 to 0.999");
+    add_value_flag(*command, "--seed", seed, "of simulated samples");
+    command->add_flag("--json", json, "print the answer as JSON on standard output");
+    return command;
+  }
+  void add_results_to(CLI::App& command) {
+    add_value_flag(command, "--out", out,
+                   "write the changes with their provenance to this file, for --changes");
+    add_value_flag(command, "--library", library,
+                   "write the fitted entries with their provenance to this folder, for --use");
   }
   [[nodiscard]] fit::TableOptions table_options() const {
     fit::TableOptions options = table;
@@ -53,61 +80,87 @@ struct TableFlags {
       throw UsageError(fmt::format("--duplicates {}: must be identity, drop or keep", duplicates));
     return options;
   }
-  [[nodiscard]] std::vector<fit::ColumnChoice> choices() const {
-    std::vector<fit::ColumnChoice> all;
-    for (const std::string& text : columns) all.push_back(fit::parse_column_choice(text));
-    return all;
+  /// Table options and columns of any log.
+  template <class LogOptions>
+  [[nodiscard]] LogOptions of_table(LogOptions options) const {
+    options.table = table_options();
+    for (const std::string& text : columns) options.columns.push_back(fit::parse_column_choice(text));
+    return options;
   }
   [[nodiscard]] double confidence_level() const { return real_flag("--confidence", confidence, 0.5, 0.999); }
   [[nodiscard]] std::uint64_t seed_value() const {
     return static_cast<std::uint64_t>(whole_flag("--seed", seed, 0, 9'000'000'000'000'000));
   }
-  [[nodiscard]] fit::Origin origin() const { return origin_now(file); }
+  void answer_with(const std::function<fit::Report(const fit::Origin&)>& report) const {
+    answer(report(origin_now(file)), json, out, library);
+  }
 };
 
-std::optional<double> maybe(const char* flag, const std::string& text, double low, double high) {
-  if (text.empty()) return std::nullopt;
-  return real_flag(flag, text, low, high);
-}
+// Removal logs, for lives and for their value.
+struct RemovalFlags : TableFlags {
+  fit::RemovalOptions removals;
+  CLI::App* add_to(CLI::App& parent, const char* name, const char* what, const char* file_what) {
+    CLI::App* command = TableFlags::add_to(parent, name, what, file_what);
+    add_value_flag(*command, "--regime", removals.regime, "only rows of this regime");
+    add_repeated_flag(*command, "--planned-cause", removals.planned_causes,
+                      "a further word for: taken out although it still cut");
+    add_repeated_flag(*command, "--failure-cause", removals.failure_causes, "a further word for a failure");
+    return command;
+  }
+  [[nodiscard]] fit::RemovalLog log() const { return fit::read_removals(file, of_table(removals)); }
+};
+
+// Logs of events in time.
+struct EventFlags : TableFlags {
+  std::string bootstrap = "199";
+  std::string hours, weekdays;
+  bool observations = false;
+  CLI::App* add_to(CLI::App& parent, const char* name, const char* what, const char* file_what) {
+    CLI::App* command = TableFlags::add_to(parent, name, what, file_what);
+    add_results_to(*command);
+    add_value_flag(*command, "--bootstrap", bootstrap, "simulated samples of each test of fit");
+    command->add_flag("--empirical", observations,
+                      "write the observations themselves, not only where no law fits");
+    return command;
+  }
+  void add_calendar(CLI::App& command) {
+    add_value_flag(command, "--hours", hours, "when the shop works, such as 07:00-15:00 (else all day)");
+    add_value_flag(command, "--weekdays", weekdays, "on which days, such as mon-fri (else all)");
+  }
+  [[nodiscard]] fit::EventReportOptions options() const {
+    return {.confidence = confidence_level(),
+            .goodness_samples = static_cast<int>(whole_flag("--bootstrap", bootstrap, 19, 10'000)),
+            .seed = seed_value(),
+            .written = observations ? fit::Written::observations : fit::Written::best};
+  }
+};
 
 void add_life(CLI::App& fit_command) {
-  struct Flags : TableFlags {
-    fit::RemovalOptions removals;
+  struct Flags : RemovalFlags {
     std::string gamma = "0.9";
     std::string bootstrap = "199";
     fit::LifeTarget target;
     std::string speed, feed, depth, min_per_part;
   };
   auto f = std::make_shared<Flags>();
-  CLI::App* command = fit_command.add_subcommand("life", "Life laws of edges from a removal log");
-  f->add_to(*command,
-            "removal log (CSV): life or parts, cause; tool, regime, batch, edge, last inspection if known");
-  command->add_option("--tool", f->removals.tool, "only rows of this tool");
-  command->add_option("--regime", f->removals.regime, "only rows of this regime");
-  command
-      ->add_option("--planned-cause", f->removals.planned_causes,
-                   "a further word for: taken out although it still cut")
-      ->allow_extra_args(false);
-  command->add_option("--failure-cause", f->removals.failure_causes, "a further word for a failure")
-      ->allow_extra_args(false);
-  command->add_option("--gamma", f->gamma, "share of edges that outlive the gamma-percent life")
-      ->capture_default_str();
-  command->add_option("--bootstrap", f->bootstrap, "simulated samples of each test of fit")
-      ->capture_default_str();
-  command->add_option("--to", f->target.pointer, "insert that the changes are for, such as /inserts/0");
-  command->add_option("--speed", f->speed,
-                      "cutting speed of the log, m/min: reference regime of the changes");
-  command->add_option("--feed", f->feed, "feed of the log, mm/rev");
-  command->add_option("--depth", f->depth, "depth of cut of the log, mm");
-  command->add_option("--min-per-part", f->min_per_part,
-                      "cutting minutes of one part, when lives are in parts");
+  CLI::App* command = f->add_to(
+      fit_command, "life", "Life laws of edges from a removal log",
+      "removal log (CSV, xlsx): life or parts, cause; tool, regime, batch, edge, last inspection if known");
+  f->add_results_to(*command);
+  add_value_flag(*command, "--tool", f->removals.tool, "only rows of this tool");
+  add_value_flag(*command, "--gamma", f->gamma, "share of edges that outlive the gamma-percent life");
+  add_value_flag(*command, "--bootstrap", f->bootstrap, "simulated samples of each test of fit");
+  add_value_flag(*command, "--to", f->target.pointer, "insert that the changes are for, such as /inserts/0");
+  add_value_flag(*command, "--speed", f->speed,
+                 "cutting speed of the log, m/min: reference regime of changes and library entry");
+  add_value_flag(*command, "--feed", f->feed, "feed of the log, mm/rev");
+  add_value_flag(*command, "--depth", f->depth, "depth of cut of the log, mm");
+  add_value_flag(*command, "--min-per-part", f->min_per_part,
+                 "cutting minutes of one part, when lives are in parts");
   command->footer(
       "Example:\n  verstat fit life docs/examples/fit/removals.csv --tool T5K10 --to /inserts/0\n"
       "Laws by censored maximum likelihood, ranked by AICc; bounds by profile likelihood.");
   command->callback([f] {
-    fit::RemovalOptions removals = f->removals;
-    removals.table = f->table_options();
-    removals.columns = f->choices();
     fit::LifeAnalysisOptions options;
     options.gamma = real_flag("--gamma", f->gamma, 0.001, 0.999);
     options.confidence = f->confidence_level();
@@ -118,8 +171,13 @@ void add_life(CLI::App& fit_command) {
     target.feed_mm_rev = maybe("--feed", f->feed, 1e-6, 100);
     target.depth_of_cut_mm = maybe("--depth", f->depth, 1e-6, 1000);
     target.min_per_part = maybe("--min-per-part", f->min_per_part, 1e-6, 1e5);
-    const fit::RemovalLog log = fit::read_removals(f->file, removals);
-    answer(fit::report_lives(log, options, target, f->origin()), f->json, f->out);
+    if (!f->library.empty() && !(target.cutting_speed_m_min && target.feed_mm_rev && target.depth_of_cut_mm))
+      throw UsageError(fmt::format(
+          "--library {}: the entry of an insert needs the regime of the log: --speed, --feed and --depth",
+          f->library));
+    const fit::RemovalLog log = f->log();
+    f->answer_with(
+        [&](const fit::Origin& origin) { return fit::report_lives(log, options, target, origin); });
   });
 }
 
@@ -148,54 +206,33 @@ void add_taylor(CLI::App& fit_command) {
     std::string to;
   };
   auto f = std::make_shared<Flags>();
-  CLI::App* command = fit_command.add_subcommand("taylor", "Extended Taylor equation from wear curves");
-  f->add_to(*command,
-            "wear readings (CSV): time, flank wear, cutting speed; feed, depth, material, tool, laboratory "
-            "if known");
-  command
-      ->add_option("--criterion", f->criterion,
-                   "flank wear that ends the life, mm (ISO 3685: 0.3 even, 0.6 uneven)")
-      ->capture_default_str();
-  command->add_option("--material", f->wear.material, "only rows of this workpiece material");
-  command->add_option("--tool", f->wear.tool, "only rows of this tool");
-  command->add_option("--at", f->at, "SPEED,FEED,DEPTH to predict; may be repeated")->allow_extra_args(false);
+  CLI::App* command = f->add_to(
+      fit_command, "taylor", "Extended Taylor equation from wear curves",
+      "wear readings (CSV, xlsx): time, flank wear, cutting speed; feed, depth, material, tool, laboratory "
+      "if known");
+  f->add_results_to(*command);
+  add_value_flag(*command, "--criterion", f->criterion,
+                 "flank wear that ends the life, mm (ISO 3685: 0.3 even, 0.6 uneven)");
+  add_value_flag(*command, "--material", f->wear.material, "only rows of this workpiece material");
+  add_value_flag(*command, "--tool", f->wear.tool, "only rows of this tool");
+  add_repeated_flag(*command, "--at", f->at, "SPEED,FEED,DEPTH to predict; may be repeated");
   command->add_flag("--pool-laboratories", f->pool, "one level for all laboratories instead of one each");
-  command->add_option("--to", f->to, "insert that the changes are for, such as /inserts/0");
+  add_value_flag(*command, "--to", f->to, "insert that the changes are for, such as /inserts/0");
   command->footer(
       "Example:\n  verstat fit taylor docs/examples/fit/wear.csv --at 150,0.2,1\n"
       "Runs that never reach the criterion count as censored; exponents the runs do not show are named, not "
       "guessed.");
   command->callback([f] {
-    fit::WearOptions wear = f->wear;
-    wear.table = f->table_options();
-    wear.columns = f->choices();
+    fit::WearOptions wear = f->of_table(f->wear);
     wear.criterion_mm = real_flag("--criterion", f->criterion, 1e-4, 10);
     fit::TaylorTarget target{.pointer = f->to, .regimes = {}};
     for (const std::string& text : f->at) target.regimes.push_back(regime_of(text));
     const fit::TaylorOptions options{.pool_laboratories = f->pool, .confidence = f->confidence_level()};
     const fit::WearData data = fit::read_wear(f->file, wear);
-    answer(fit::report_taylor(data, options, target, f->origin()), f->json, f->out);
+    f->answer_with(
+        [&](const fit::Origin& origin) { return fit::report_taylor(data, options, target, origin); });
   });
 }
-
-struct EventFlags : TableFlags {
-  std::string bootstrap = "199";
-  std::string hours, weekdays;
-  void add_calendar(CLI::App& command) {
-    command.add_option("--hours", hours, "when the shop works, such as 07:00-15:00 (else all day)");
-    command.add_option("--weekdays", weekdays, "on which days, such as mon-fri (else all)");
-  }
-  void add_to(CLI::App& command, const char* what) {
-    TableFlags::add_to(command, what);
-    command.add_option("--bootstrap", bootstrap, "simulated samples of each test of fit")
-        ->capture_default_str();
-  }
-  [[nodiscard]] fit::EventReportOptions options() const {
-    return {.confidence = confidence_level(),
-            .goodness_samples = static_cast<int>(whole_flag("--bootstrap", bootstrap, 19, 10'000)),
-            .seed = seed_value()};
-  }
-};
 
 void add_downtime(CLI::App& fit_command) {
   struct Flags : EventFlags {
@@ -204,30 +241,27 @@ void add_downtime(CLI::App& fit_command) {
     std::string clock = "operating";
   };
   auto f = std::make_shared<Flags>();
-  CLI::App* command =
-      fit_command.add_subcommand("downtime", "Times between failures and of repairs from a downtime log");
-  f->add_to(
-      *command,
-      "downtime log (CSV): start, end or duration; machine, mode, operating and cutting counters if known");
+  CLI::App* command = f->add_to(
+      fit_command, "downtime", "Times between failures and of repairs from a downtime log",
+      "downtime log (CSV, xlsx): start, end or duration; machine, mode, operating and cutting counters if "
+      "known");
   f->add_calendar(*command);
-  command->add_option("--from", f->downtime.from, "start of watching, such as 2026-03-01");
-  command->add_option("--to-time", f->downtime.to, "end of watching");
+  add_value_flag(*command, "--from", f->downtime.from, "start of watching, such as 2026-03-01");
+  add_value_flag(*command, "--to-time", f->downtime.to, "end of watching");
   command->add_flag("--new-at-start", f->downtime.new_at_start, "machines were as new when watching began");
-  command->add_option("--clock", f->clock, "calendar, operating or cutting: the clock of the changes")
-      ->capture_default_str();
-  command->add_option("--mode", f->target.mode, "mode of failure that the changes are for");
-  command->add_option("--to-failure", f->target.to_failure,
-                      "pointer of the duration that is the time to failure");
-  command->add_option("--to-repair", f->target.to_repair, "pointer of the duration that is the repair");
+  add_value_flag(*command, "--clock", f->clock,
+                 "calendar, operating or cutting: the clock of changes and library entries");
+  add_value_flag(*command, "--mode", f->target.mode, "mode of failure that the changes are for");
+  add_value_flag(*command, "--to-failure", f->target.to_failure,
+                 "pointer of the duration that is the time to failure");
+  add_value_flag(*command, "--to-repair", f->target.to_repair, "pointer of the duration that is the repair");
   command->add_flag("--accept-trend", f->target.accept_trend,
                     "write a renewal law although the rate of failures changes");
   command->footer(
       "Example:\n  verstat fit downtime docs/examples/fit/downtime.csv\n"
       "Laplace's trend test comes before any renewal law.");
   command->callback([f] {
-    fit::DowntimeOptions downtime = f->downtime;
-    downtime.table = f->table_options();
-    downtime.columns = f->choices();
+    fit::DowntimeOptions downtime = f->of_table(f->downtime);
     downtime.calendar = fit::WorkCalendar(f->hours, f->weekdays);
     fit::DowntimeTarget target = f->target;
     if (f->clock == "calendar")
@@ -236,34 +270,51 @@ void add_downtime(CLI::App& fit_command) {
       target.clock = fit::Clock::cutting;
     else if (f->clock != "operating")
       throw UsageError(fmt::format("--clock {}: must be calendar, operating or cutting", f->clock));
+    const fit::EventReportOptions options = f->options();
     const fit::DowntimeLog log = fit::read_downtime(f->file, downtime);
-    answer(fit::report_downtime(log, f->options(), target, f->origin()), f->json, f->out);
+    f->answer_with(
+        [&](const fit::Origin& origin) { return fit::report_downtime(log, options, target, origin); });
   });
+}
+
+fit::SupplyForm supply_form(const std::string& text) {
+  if (text == "law") return fit::SupplyForm::law;
+  if (text == "profile") return fit::SupplyForm::profile;
+  if (text == "orders") return fit::SupplyForm::orders;
+  throw UsageError(fmt::format("--as {}: must be law, profile or orders", text));
 }
 
 void add_arrivals(CLI::App& fit_command) {
   struct Flags : EventFlags {
     fit::ArrivalOptions arrivals;
     std::string to;
+    std::string as = "law";
   };
   auto f = std::make_shared<Flags>();
   CLI::App* command =
-      fit_command.add_subcommand("arrivals", "Arrival or order log: times between, profiles of day and week");
-  f->add_to(*command, "arrival or order log (CSV): arrival; quantity, part, order if known");
+      f->add_to(fit_command, "arrivals", "Arrival or order log: times between, profiles of day and week",
+                "arrival or order log (CSV, xlsx): arrival; quantity, part, order if known");
   f->add_calendar(*command);
-  command->add_option("--part", f->arrivals.part, "only rows of this part");
-  command->add_option("--to", f->to, "supply that the changes are for, such as /parts/0/supply");
+  add_value_flag(*command, "--part", f->arrivals.part, "only rows of this part");
+  add_value_flag(*command, "--as", f->as,
+                 "what the supply becomes: law (times between), profile (rates over the week) or orders (as "
+                 "they came)");
+  add_value_flag(*command, "--to", f->to, "supply that the changes are for, such as /parts/0/supply");
   command->footer(
       "Example:\n  verstat fit arrivals docs/examples/fit/orders.csv --hours 07:00-15:00 --weekdays mon-fri "
       "--to "
       "/parts/0/supply");
   command->callback([f] {
-    fit::ArrivalOptions arrivals = f->arrivals;
-    arrivals.table = f->table_options();
-    arrivals.columns = f->choices();
+    fit::ArrivalOptions arrivals = f->of_table(f->arrivals);
     arrivals.calendar = fit::WorkCalendar(f->hours, f->weekdays);
-    const fit::ArrivalLog log = fit::read_arrivals(f->file, arrivals, f->confidence_level());
-    answer(fit::report_arrivals(log, f->options(), f->to, f->origin()), f->json, f->out);
+    const fit::EventReportOptions options = f->options();
+    const fit::SupplyForm form = supply_form(f->as);
+    const fit::ArrivalLog log = fit::read_arrivals(f->file, arrivals, options.confidence);
+    const std::string name =
+        f->arrivals.part.empty() ? std::filesystem::path(f->file).stem().string() : f->arrivals.part;
+    f->answer_with([&](const fit::Origin& origin) {
+      return fit::report_arrivals(log, options, form, f->to, name, origin);
+    });
   });
 }
 
@@ -274,50 +325,41 @@ void add_cycle(CLI::App& fit_command) {
   };
   auto f = std::make_shared<Flags>();
   CLI::App* command =
-      fit_command.add_subcommand("cycle", "Laws of cycle times, with their quantiles to fall back on");
-  f->add_to(*command, "cycle times (CSV): cycle; operation if known");
-  command->add_option("--operation", f->cycles.operation, "only rows of this operation");
-  command->add_option("--to", f->to, "duration that the changes are for, such as /operations/0/process/time");
+      f->add_to(fit_command, "cycle", "Laws of cycle times; the observations themselves where none fits",
+                "cycle times (CSV, xlsx): cycle; operation if known");
+  add_value_flag(*command, "--operation", f->cycles.operation, "only rows of this operation");
+  add_value_flag(*command, "--to", f->to,
+                 "duration that the changes are for, such as /operations/0/process/time");
   command->footer("Example:\n  verstat fit cycle docs/examples/fit/cycles.csv");
   command->callback([f] {
-    fit::CycleOptions cycles = f->cycles;
-    cycles.table = f->table_options();
-    cycles.columns = f->choices();
-    const fit::CycleLog log = fit::read_cycles(f->file, cycles);
-    answer(fit::report_cycles(log, f->options(), f->to, f->origin()), f->json, f->out);
+    const fit::EventReportOptions options = f->options();
+    const fit::CycleLog log = fit::read_cycles(f->file, f->of_table(f->cycles));
+    f->answer_with(
+        [&](const fit::Origin& origin) { return fit::report_cycles(log, options, f->to, origin); });
   });
 }
 
 void add_value(CLI::App& fit_command) {
-  struct Flags : TableFlags {
-    fit::RemovalOptions removals;
+  struct Flags : RemovalFlags {
     std::string plans;
     std::string truths = "2000";
   };
   auto f = std::make_shared<Flags>();
   CLI::App* command =
-      fit_command.add_subcommand("value", "How many more edges to measure before choosing between plans");
-  f->add_to(*command, "removal log (CSV), as for fit life");
+      f->add_to(fit_command, "value", "How many more edges to measure before choosing between plans",
+                "removal log (CSV, xlsx), as for fit life");
   command->add_option("--plans", f->plans, "plans to choose between (JSON)")->required();
-  command->add_option("--regime", f->removals.regime, "only rows of this regime");
-  command
-      ->add_option("--planned-cause", f->removals.planned_causes,
-                   "a further word for: taken out although it still cut")
-      ->allow_extra_args(false);
-  command->add_option("--failure-cause", f->removals.failure_causes, "a further word for a failure")
-      ->allow_extra_args(false);
-  command->add_option("--truths", f->truths, "simulated truths")->capture_default_str();
+  add_value_flag(*command, "--truths", f->truths, "simulated truths");
   command->footer(
       "Example:\n  verstat fit value docs/examples/fit/removals.csv --plans docs/examples/fit/plans.json\n"
       "Expected value of sample information by simulation.");
   command->callback([f] {
-    fit::RemovalOptions removals = f->removals;
-    removals.table = f->table_options();
-    removals.columns = f->choices();
     const int truths = static_cast<int>(whole_flag("--truths", f->truths, 100, 100'000));
     const fit::ValueSpec spec = fit::read_value_spec(f->plans);
-    const fit::RemovalLog log = fit::read_removals(f->file, removals);
-    answer(fit::report_value(log, spec, truths, f->seed_value(), f->origin()), f->json, f->out);
+    const fit::RemovalLog log = f->log();
+    f->answer_with([&](const fit::Origin& origin) {
+      return fit::report_value(log, spec, truths, f->seed_value(), origin);
+    });
   });
 }
 
@@ -348,31 +390,41 @@ fit::Origin origin_now(const std::string& file) {
       .file = std::filesystem::path(file).filename().string(), .date = now.created, .version = now.version};
 }
 
-void answer(const fit::Report& report, bool json, const std::string& out) {
+void answer(const fit::Report& report, bool json, const std::string& out, const std::string& library) {
   if (!out.empty()) {
     if (report.changes.empty())
       throw UsageError(
           fmt::format("--out {}: there are no changes to write; --to names what they are for", out));
     write_file("--out", out, report.json["patch"].dump(2) + "\n");
   }
+  std::vector<std::string> entries;
+  if (!library.empty()) entries = fit::write_library(library, report.library);
   if (json) {
     fmt::print("{}\n", report.json.dump(2));
     return;
   }
   for (const std::string& line : report.lines) fmt::print("{}\n", line);
   for (const std::string& warning : report.warnings) fmt::print("warning: {}\n", warning);
+  if (!entries.empty()) fmt::print("\n");
+  for (const std::string& entry : entries) fmt::print("library entry in {}\n", entry);
   if (report.changes.empty()) return;
   fmt::print("\nchanges{}:\n", out.empty()
                                    ? " (--out FILE keeps them with their provenance for --changes FILE)"
                                    : " in " + out);
-  for (const scenarios::Change& change : report.changes)
-    fmt::print("  --set '{}={}'\n", change.pointer,
-               change.value.is_string() ? change.value.get<std::string>() : change.value.dump());
+  constexpr std::size_t readable = 400;
+  for (const scenarios::Change& change : report.changes) {
+    const std::string value =
+        change.value.is_string() ? change.value.get<std::string>() : change.value.dump();
+    if (value.size() <= readable)
+      fmt::print("  --set '{}={}'\n", change.pointer, value);
+    else
+      fmt::print("  {}: {}... ({} characters)\n", change.pointer, value.substr(0, 60), value.size());
+  }
 }
 
 void add_fit(CLI::App& program) {
   CLI::App* command = program.add_subcommand(
-      "fit", "Turn the shop's records (CSV) into inputs of a scenario, with their uncertainty");
+      "fit", "Turn the shop's records (CSV, xlsx) into inputs of a scenario, with their uncertainty");
   command->require_subcommand(1);
   add_life(*command);
   add_taylor(*command);

@@ -14,7 +14,8 @@ namespace verstat::app {
                                       std::int64_t high);
 /// File, date and version; the fit fills in the rest.
 [[nodiscard]] fit::Origin origin_now(const std::string& file);
-/// Prints the report as text or JSON, and writes its changes to `out` when that is not empty.
-void answer(const fit::Report& report, bool json, const std::string& out);
+/// Prints the report as text or JSON, and writes its changes to `out` and its library entries to the folder
+/// `library` when these are not empty.
+void answer(const fit::Report& report, bool json, const std::string& out, const std::string& library = "");
 
 }  // namespace verstat::app

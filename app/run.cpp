@@ -24,6 +24,14 @@ namespace {
   throw std::runtime_error(text);
 }
 
+void report_standstills(const shop::RunResult& result) {
+  if (result.standstills.empty()) return;
+  fmt::print(stderr,
+             "warning: machines stand for good in {} of {} replications; {}. Give them more room "
+             "(queue_capacity, capacity of stores), let fewer batches in (release) or have more people\n",
+             result.standstills.size(), result.values.size(), result.standstills.front());
+}
+
 // The fingerprint holds every bit of every KPI of every replication, the number of events and their order.
 nlohmann::ordered_json check_of(const shop::RunResult& result) {
   shop::Fingerprint all;
@@ -73,11 +81,13 @@ void add_run(CLI::App& program) {
           *check ? shop::Checks::on : shop::Checks::off);
     }
     if (!result.broken_laws.empty()) report_broken_laws(result.broken_laws);
+    report_standstills(result);
     const double elapsed_s = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     store::Run run = record_of(result, loaded, changes, *label, elapsed_s);
     run.header.id = store::Writer(options->db).add_run(run);
     if (options->json) {
       nlohmann::ordered_json answer = store::to_json(run);
+      if (!result.standstills.empty()) answer["standstills"] = result.standstills;
       if (*check) answer["check"] = check_of(result);
       fmt::print("{}\n", answer.dump(2));
     } else {

@@ -418,6 +418,9 @@ Calibration calibrate(const std::vector<UncertainInput>& inputs, const std::vect
     const double half = student_quantile(options.confidence, static_cast<double>(count - 1)) * sd *
                         std::sqrt(1 + 1 / static_cast<double>(count));
     total.interval = {total.mean - half, total.mean + half};
+    // Counts and shares are never below 0; where no simulated month was, the next one will not be.
+    const bool never_negative = std::all_of(column.begin(), column.end(), [](double y) { return y >= 0; });
+    if (never_negative) total.interval.low = std::max(0.0, total.interval.low);
     total.inside = total.observed >= total.interval.low && total.observed <= total.interval.high;
     result.totals.push_back(total);
   }

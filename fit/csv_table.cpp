@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "fit/workbook.h"
 #include "scenarios/json_text.h"
 
 namespace verstat::fit {
@@ -241,9 +242,10 @@ Table parse_table(std::string file, std::string_view bytes, const TableOptions& 
   Table table;
   table.file = std::move(file);
   if (bytes.starts_with("PK\x03\x04") || bytes.starts_with("\xD0\xCF\x11\xE0"))
-    refuse(table.file,
-           "is a workbook, not a CSV table; save the sheet as \"CSV UTF-8\", or convert it: "
-           "xlsx2csv -d ';' BOOK.xlsx TABLE.csv (Debian package xlsx2csv)");
+    refuse(
+        table.file,
+        "is a workbook, not a CSV table; save it as xlsx under a name that ends so (Debian package xlsx2csv "
+        "reads it then), or the sheet as \"CSV UTF-8\"");
   if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
     refuse(table.file, "is UTF-16; save it as \"CSV UTF-8\", or convert it: iconv -f UTF-16 -t UTF-8");
   std::string text;
@@ -332,7 +334,18 @@ Table read_table(const std::string& path, const TableOptions& options) {
   } catch (const InputError& e) {
     refuse(path, e.what());
   }
-  return parse_table(path, text, options);
+  // A table that only calls itself a workbook is read as what it is.
+  const bool workbook = is_workbook_name(path) && text.starts_with("PK\x03\x04");
+  if (!options.sheet.empty() && !workbook)
+    throw InputError("", fmt::format("--sheet {}: {} is no xlsx workbook", options.sheet, path));
+  if (!workbook) return parse_table(path, text, options);
+  TableOptions converted = options;
+  if (converted.separator.empty()) converted.separator = "semicolon";
+  Table table = parse_table(path, workbook_as_table(path, options.sheet), converted);
+  table.notes.insert(table.notes.begin(),
+                     fmt::format("{} of the workbook, converted by xlsx2csv",
+                                 options.sheet.empty() ? "first sheet" : "sheet \"" + options.sheet + "\""));
+  return table;
 }
 
 }  // namespace verstat::fit

@@ -48,12 +48,14 @@ struct TableOptions {
   std::string separator;  ///< "comma", "semicolon" or "tab"; empty: found in the header line
   std::string decimal;    ///< "point" or "comma"; empty: found in the cells, refused when they leave a doubt
   Duplicates duplicates = Duplicates::by_identity;
+  std::string sheet;  ///< of an xlsx workbook; empty: the first one
 };
 
 /// The table in `text`; `file` is only for messages. The first line that is not blank is the header.
 /// Throws scenarios::InputError naming file, line and what would be right.
 [[nodiscard]] Table parse_table(std::string file, std::string_view text, const TableOptions& options);
-/// Reads a file. A workbook (xlsx, ods, xls) is refused with the command that converts it.
+/// Reads a file. An xlsx workbook goes through the converter (fit/workbook.h); other workbooks (ods, xls) are
+/// refused with what to do.
 [[nodiscard]] Table read_table(const std::string& path, const TableOptions& options);
 
 /// True for the ways in which shops write "nothing here": empty, "-", "n/a", "No data", "немає даних".

@@ -32,6 +32,16 @@ DurationFit fit_durations(const std::vector<Observation>& times, int goodness_sa
     fit.quantiles.push_back(complete[below] +
                             (place - static_cast<double>(below)) * (complete[above] - complete[below]));
   }
+  double survival = 1;
+  for (const SurvivalStep& step : product_limit(times)) {
+    fit.distinct.push_back(step.time);
+    fit.weights.push_back(fit.censored == 0 ? static_cast<double>(step.failures) : survival - step.survival);
+    survival = step.survival;
+  }
+  if (fit.censored > 0) {
+    fit.weights.back() += survival;
+    if (survival > 1e-9) fit.weight_beyond = survival;  // less than this is rounding
+  }
   fit.constant = fit.least == fit.most;
   if (fit.constant) return fit;
   LifeRanking ranking = rank_laws(times);

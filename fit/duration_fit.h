@@ -21,6 +21,12 @@ struct DurationFit {
   bool empirical = false;
   std::vector<double> quantiles;  ///< 0, 1, ..., 100 % of the complete ones, linear between order statistics
   double largest_gap = 0;         ///< between the empirical distribution and the best law
+  /// The empirical distribution: complete times that differ, ascending, and how often each was seen; with
+  /// unfinished ones the steps of the product-limit estimate. What unfinished times leave beyond the longest
+  /// complete one is added to that one (Efron, Proc. 5th Berkeley Symp. 4 (1967) 831) and stands in
+  /// `weight_beyond`.
+  std::vector<double> distinct, weights;
+  double weight_beyond = 0;
 };
 
 /// Complete times are exact observations > 0, unfinished ones right-censored.

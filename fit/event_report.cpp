@@ -54,56 +54,73 @@ void add_duration_lines(Report& report, const std::string& what, const DurationF
         fmt::format("    no law fits: quantiles 5/25/50/75/95 % are {} / {} / {} / {} / {} min",
                     plain(fit.quantiles[5]), plain(fit.quantiles[25]), plain(fit.quantiles[50]),
                     plain(fit.quantiles[75]), plain(fit.quantiles[95])));
-    report.warnings.push_back(
-        fmt::format("{}: no law fits; the empirical quantiles are in the JSON answer, and the best law "
-                    "is off by up to {:.3f} in probability",
-                    what, fit.largest_gap));
+    report.warnings.push_back(fmt::format(
+        "{}: no law fits (the best one is off by up to {:.3f} in probability): changes and library "
+        "carry the observations themselves",
+        what, fit.largest_gap));
   }
 }
 
-void add_duration_change(Report& report, const std::string& pointer, const std::string& what,
-                         const DurationFit& fit, const char* member = nullptr) {
-  const auto duration = duration_of(fit);
-  if (!duration)
-    throw InputError(
-        "", fmt::format("{}: no fitted law of the {} has a CV that a scenario accepts (0.05 to 2)", pointer,
-                        what));
-  if (duration->aicc_more > 0)
+// The duration, with a warning where it is less than the log.
+ordered_json written_duration(Report& report, const std::string& what, const DurationFit& fit,
+                              Written written) {
+  const ScenarioDuration duration = duration_of(fit, written);
+  if (duration.law == "empirical" && fit.weight_beyond > 0)
+    report.warnings.push_back(fmt::format(
+        "{}: {} unfinished ones outlast the longest complete one ({} min), which stands for a share "
+        "of {:.3f}",
+        what, fit.censored, plain(fit.most), fit.weight_beyond));
+  if (duration.law != "empirical" && !fit.constant && duration.law != name_of(fit.laws.front().law.family))
     report.warnings.push_back(
-        fmt::format("{}: the best law has a CV that a scenario does not accept; {} is written instead", what,
-                    duration->law));
-  if (member == nullptr) {
-    report.changes.push_back({pointer, duration->value});
-  } else {
-    report.changes.push_back({pointer, {{"kind", "interarrival"}, {member, duration->value}}});
-  }
+        fmt::format("{}: the law first by AICc does not fit or has a CV that a scenario does not accept "
+                    "(0.05 to 2); {} is "
+                    "written instead",
+                    what, duration.law));
+  return duration.value;
 }
 
-void finish(Report& report, const Origin& origin) {
-  report.json["warnings"] = report.warnings;
-  report.json["provenance"] = origin_json(origin);
-  if (!report.changes.empty()) report.json["patch"] = patch_json(report.changes, origin);
+// For the provenance: "maximum likelihood (weibull)".
+std::string how_written(const ordered_json& duration) {
+  const std::string kind = duration["kind"].get<std::string>();
+  return kind == "empirical" ? "observed values" : fmt::format("maximum likelihood ({})", kind);
 }
 
 }  // namespace
 
-std::optional<ScenarioDuration> duration_of(const DurationFit& fit) {
-  if (fit.constant) return ScenarioDuration{{{"kind", "constant"}, {"value_min", fit.mean}}, "constant", 0};
-  for (const LawReport& one : fit.laws) {
-    const FittedLaw& law = one.law;
-    const double more = law.aicc - fit.laws.front().law.aicc;
-    if (law.family == LifeFamily::exponential)
-      return ScenarioDuration{
-          {{"kind", "exponential"}, {"rate_per_min", 1 / law.mean()}}, "exponential", more};
-    if (law.cv() >= 0.05 && law.cv() <= 2)
-      return ScenarioDuration{{{"kind", name_of(law.family)}, {"mean_min", law.mean()}, {"cv", law.cv()}},
-                              name_of(law.family),
-                              more};
-    // Hardly any scatter: a constant is nearer than a law with more of it.
-    if (law.cv() < 0.05)
-      return ScenarioDuration{{{"kind", "constant"}, {"value_min", law.mean()}}, "constant", more};
+ScenarioDuration duration_of(const DurationFit& fit, Written written) {
+  if (fit.constant) return {{{"kind", "constant"}, {"value_min", fit.mean}}, "constant"};
+  if (written == Written::best)
+    for (const LawReport& one : fit.laws) {
+      const FittedLaw& law = one.law;
+      if (one.goodness.p_value < 0.05) continue;
+      if (law.family == LifeFamily::exponential)
+        return {{{"kind", "exponential"}, {"rate_per_min", 1 / law.mean()}}, "exponential"};
+      if (law.cv() >= 0.05 && law.cv() <= 2)
+        return {{{"kind", name_of(law.family)}, {"mean_min", law.mean()}, {"cv", law.cv()}},
+                name_of(law.family)};
+    }
+  constexpr std::size_t most_values = 1000;
+  if (fit.distinct.size() <= most_values) {
+    nlohmann::json value = {{"kind", "empirical"}, {"values_min", fit.distinct}};
+    if (std::any_of(fit.weights.begin(), fit.weights.end(),
+                    [&](double w) { return std::abs(w - fit.weights[0]) > 1e-9 * fit.weights[0]; }))
+      value["weights"] = fit.weights;
+    return {value, "empirical"};
   }
-  return std::nullopt;
+  // Between neighbours lies half the weight of each, evenly spread, as the scenario takes it.
+  std::vector<double> cumulative = {0};
+  for (std::size_t k = 1; k < fit.weights.size(); ++k)
+    cumulative.push_back(cumulative.back() + (fit.weights[k - 1] + fit.weights[k]) / 2);
+  std::vector<double> quantiles;
+  std::size_t piece = 1;
+  for (std::size_t q = 0; q <= most_values; ++q) {
+    const double at = cumulative.back() * static_cast<double>(q) / most_values;
+    while (piece + 1 < cumulative.size() && cumulative[piece] < at) ++piece;
+    const double share = (at - cumulative[piece - 1]) / (cumulative[piece] - cumulative[piece - 1]);
+    quantiles.push_back(fit.distinct[piece - 1] +
+                        std::min(1.0, share) * (fit.distinct[piece] - fit.distinct[piece - 1]));
+  }
+  return {{{"kind", "empirical"}, {"values_min", quantiles}}, "empirical"};
 }
 
 Report report_downtime(const DowntimeLog& log, const EventReportOptions& options,
@@ -128,6 +145,9 @@ Report report_downtime(const DowntimeLog& log, const EventReportOptions& options
     ordered_json j = {
         {"mode", repairs.mode}, {"stops", repairs.repairs.size()}, {"clocks", ordered_json::array()}};
     const bool chosen = target.mode.empty() || target.mode == repairs.mode;
+    // A failure mode for the library: both times on the clock of the changes.
+    ordered_json failure = {{"name", repairs.mode.empty() ? "all stops" : repairs.mode},
+                            {"clock", name_of(target.clock)}};
     mode_found = mode_found || chosen;
     report.lines.emplace_back("");
     report.lines.push_back(fmt::format("{}: {} stops", repairs.mode.empty() ? "all stops" : repairs.mode,
@@ -182,21 +202,39 @@ Report report_downtime(const DowntimeLog& log, const EventReportOptions& options
               "", fmt::format("--to-failure {}: failures of \"{}\" show a trend (Laplace p = {:.3f}); "
                               "--accept-trend writes a renewal law all the same",
                               target.to_failure, repairs.mode, trend.p_value));
-        add_duration_change(report, target.to_failure, what, *fit);
+        report.changes.push_back({target.to_failure, written_duration(report, what, *fit, options.written)});
+        // The law speaks of this clock and no other.
+        const std::string member = "/time_to_failure";
+        if (target.to_failure.ends_with(member))
+          report.changes.push_back(
+              {target.to_failure.substr(0, target.to_failure.size() - member.size()) + "/clock",
+               name_of(target.clock)});
       }
+      if (fit && times.clock == target.clock && (!changing || target.accept_trend))
+        failure["time_to_failure"] = duration_of(*fit, options.written).value;
       j["clocks"].push_back(c);
     }
     try {
       const DurationFit fit = fit_durations(repairs.repairs, options.goodness_samples, options.seed);
       j["repair"] = duration_json(fit);
       add_duration_lines(report, "time a stop lasts", fit);
+      failure["repair"] = duration_of(fit, options.written).value;
       if (chosen && !target.to_repair.empty())
-        add_duration_change(report, target.to_repair, "time a stop lasts", fit);
+        report.changes.push_back(
+            {target.to_repair, written_duration(report, "time a stop lasts", fit, options.written)});
     } catch (const FitError& e) {
       j["repair"] = {{"not_fitted", e.what()}};
       report.lines.push_back(fmt::format("  time a stop lasts: not fitted: {}", e.what()));
       if (chosen && !target.to_repair.empty())
         throw InputError("", fmt::format("--to-repair {}: {}", target.to_repair, e.what()));
+    }
+    if (failure.contains("time_to_failure") && failure.contains("repair")) {
+      Origin own = origin;
+      own.rows_used = repairs.repairs.size();
+      own.method = fmt::format("{} of times to failure on the {} clock, {} of repairs",
+                               how_written(failure["time_to_failure"]), name_of(target.clock),
+                               how_written(failure["repair"]));
+      report.library.push_back({"failure", failure["name"].get<std::string>(), failure, own});
     }
     report.json["modes"].push_back(j);
   }
@@ -210,8 +248,74 @@ Report report_downtime(const DowntimeLog& log, const EventReportOptions& options
   return report;
 }
 
-Report report_arrivals(const ArrivalLog& log, const EventReportOptions& options, const std::string& pointer,
-                       Origin origin) {
+namespace {
+
+// Arrivals an hour over the week: the rate of all, times what the day of the week and the hour of the day
+// have of it, where the test sees a difference. Neighbouring hours of one rate are one period.
+ordered_json weekly_profile(const ArrivalLog& log) {
+  if (!log.calendar)
+    throw InputError("", "--as profile: the arrivals have no dates, so the log shows no week");
+  // A slot that the shop works for a part only cannot stand as a whole one.
+  if (log.dates_only)
+    for (const RateSlot& day : log.weekdays)
+      if (std::fmod(day.exposure_h, 24) != 0)
+        throw InputError("", "--as profile: the arrivals have dates only, which say nothing of --hours");
+  double whole_h = 0;
+  for (const RateSlot& hour : log.hours) whole_h = std::max(whole_h, hour.exposure_h);
+  for (const RateSlot& hour : log.hours)
+    if (hour.exposure_h > 0 && hour.exposure_h != whole_h)
+      throw InputError("", "--as profile: --hours must begin and end with an hour, such as 07:00-15:00");
+  double arrivals = 0;
+  double exposure_h = 0;
+  for (const RateSlot& day : log.weekdays) {
+    arrivals += static_cast<double>(day.arrivals);
+    exposure_h += day.exposure_h;
+  }
+  const double mean_per_h = arrivals / exposure_h;
+  const auto share = [&](const std::vector<RateSlot>& slots, double p_value, std::size_t k) {
+    if (slots.empty()) return 1.0;
+    if (!(slots[k].exposure_h > 0)) return 0.0;  // the shop does not work then
+    return p_value < 0.05 ? slots[k].rate_per_h / mean_per_h : 1.0;
+  };
+  ordered_json rates = ordered_json::array();
+  double before = 0;
+  for (std::size_t hour = 0; hour < 168; ++hour) {
+    const double per_h = mean_per_h * share(log.weekdays, log.weekday_p_value, hour / 24) *
+                         share(log.hours, log.hour_p_value, hour % 24);
+    if (per_h > 0 && per_h == before)
+      rates.back()["to_h"] = hour + 1;
+    else if (per_h > 0)
+      rates.push_back({{"from_h", hour}, {"to_h", hour + 1}, {"per_h", per_h}});
+    before = per_h;
+  }
+  return {{"kind", "weekly_profile"}, {"rates", rates}};
+}
+
+// The orders themselves; dates count from the Monday, 00:00, before the first.
+ordered_json order_list(const ArrivalLog& log) {
+  constexpr double week_min = 10'080;
+  constexpr double first_monday_min = 4 * 1'440;  // 1970-01-05
+  const double start_min =
+      log.calendar
+          ? first_monday_min + week_min * std::floor((log.moments_min.front() - first_monday_min) / week_min)
+          : 0;
+  ordered_json orders = ordered_json::array();
+  for (std::size_t k = 0; k < log.moments_min.size(); ++k) {
+    const double quantity = log.quantities[k];
+    if (quantity != std::floor(quantity) || quantity > 1e6)
+      throw InputError("", fmt::format("--as orders: a quantity of {}: must be a whole number of parts up to "
+                                       "1000000",
+                                       quantity));
+    orders.push_back(
+        {{"arrives_min", log.moments_min[k] - start_min}, {"quantity", static_cast<std::int64_t>(quantity)}});
+  }
+  return {{"kind", "orders"}, {"orders", orders}};
+}
+
+}  // namespace
+
+Report report_arrivals(const ArrivalLog& log, const EventReportOptions& options, SupplyForm form,
+                       const std::string& pointer, const std::string& name, Origin origin) {
   Report report;
   origin.rows_used = log.rows_used;
   origin.rows_in_file = log.table.rows_in_file;
@@ -245,9 +349,10 @@ Report report_arrivals(const ArrivalLog& log, const EventReportOptions& options,
     report.json["quantity"] = {{"mean", mean}, {"sd", sd}};
     report.lines.push_back(
         fmt::format("  parts per arrival: mean {}, standard deviation {}", plain(mean), plain(sd)));
-    if (!pointer.empty() && mean > 1)
+    if (form != SupplyForm::orders && mean > 1)
       report.warnings.push_back(fmt::format(
-          "parts come {} at a time; the changes carry the times between arrivals only", plain(mean)));
+          "parts come {} at a time; changes and library carry the moments of arrival only (--as orders: all)",
+          plain(mean)));
   }
   const auto profile = [&](const char* key, const char* what, const std::vector<RateSlot>& slots,
                            double p_value) {
@@ -266,9 +371,11 @@ Report report_arrivals(const ArrivalLog& log, const EventReportOptions& options,
     report.json[key] = {{"slots", list}, {"same_rate_p_value", p_value}};
     report.lines.push_back(fmt::format("  arrivals per hour over the {}:{} (the same everywhere: p = {:.3f})",
                                        what, shown, p_value));
-    if (p_value < 0.05 && !pointer.empty())
+    if (p_value < 0.05 && form == SupplyForm::law)
       report.warnings.push_back(
-          fmt::format("arrivals differ over the {}: a law of times between them does not know that", what));
+          fmt::format("arrivals differ over the {}: a law of times between them does not know that (--as "
+                      "profile does)",
+                      what));
   };
   if (log.calendar) {
     profile("weekdays", "week", log.weekdays, log.weekday_p_value);
@@ -279,7 +386,24 @@ Report report_arrivals(const ArrivalLog& log, const EventReportOptions& options,
         fmt::format("  arrivals per day: variance / mean = {} (1 for independent arrivals, p = {:.3f})",
                     plain(log.dispersion_of_days), log.dispersion_p_value));
   }
-  if (!pointer.empty()) add_duration_change(report, pointer, "time between arrivals", fit, "time");
+  ordered_json supply;
+  switch (form) {
+    case SupplyForm::law:
+      supply = {{"kind", "interarrival"},
+                {"time", written_duration(report, "time between arrivals", fit, options.written)}};
+      origin.method = how_written(supply["time"]) + " of times between arrivals";
+      break;
+    case SupplyForm::profile:
+      origin.method = "rates over the week by maximum likelihood";
+      supply = weekly_profile(log);
+      break;
+    case SupplyForm::orders:
+      origin.method = "orders as they came";
+      supply = order_list(log);
+      break;
+  }
+  report.library.push_back({"supply", name, supply, origin});
+  if (!pointer.empty()) report.changes.push_back({pointer, supply});
   finish(report, origin);
   return report;
 }
@@ -304,7 +428,12 @@ Report report_cycles(const CycleLog& log, const EventReportOptions& options, con
       const DurationFit fit = fit_durations(group.times, options.goodness_samples, options.seed);
       j["cycle"] = duration_json(fit);
       add_duration_lines(report, what, fit);
-      if (!pointer.empty()) add_duration_change(report, pointer, what, fit);
+      const ordered_json duration = written_duration(report, what, fit, options.written);
+      Origin own = origin;
+      own.rows_used = group.times.size();
+      own.method = fmt::format("{} of cycle times of \"{}\"", how_written(duration), what);
+      report.library.push_back({"duration", what, duration, own});
+      if (!pointer.empty()) report.changes.push_back({pointer, duration});
     } catch (const FitError& e) {
       if (!pointer.empty()) throw InputError("", fmt::format("--to {}: {}: {}", pointer, what, e.what()));
       j["not_fitted"] = e.what();

@@ -12,20 +12,28 @@
 
 namespace verstat::fit {
 
+/// What is written of times.
+enum class Written {
+  best,         ///< the best law that fits, else the observations
+  observations  ///< the observations, whatever fits
+};
+/// The times as a duration of a scenario: the first law by AICc that the test of fit does not refuse and
+/// whose CV a scenario accepts ({"kind": "weibull", "mean_min": ..., "cv": ...}); without one the
+/// observations
+/// ({"kind": "empirical", "values_min": [...], "weights": [...]}; more than 1000 different ones by the 1001
+/// quantiles 0, 0.1, ..., 100 %).
+struct ScenarioDuration {
+  nlohmann::json value;
+  std::string law;
+};
+[[nodiscard]] ScenarioDuration duration_of(const DurationFit& fit, Written written = Written::best);
+
 struct EventReportOptions {
   double confidence = 0.95;
   int goodness_samples = 199;
   std::uint64_t seed = 1;
+  Written written = Written::best;
 };
-
-/// The best law as a duration of a scenario ({"kind": "weibull", "mean_min": ..., "cv": ...}); nothing when
-/// none has a CV that a scenario accepts.
-struct ScenarioDuration {
-  nlohmann::json value;
-  std::string law;
-  double aicc_more = 0;  ///< than the best law's
-};
-[[nodiscard]] std::optional<ScenarioDuration> duration_of(const DurationFit& fit);
 
 struct DowntimeTarget {
   std::string mode;  ///< needed when the log has several
@@ -37,9 +45,17 @@ struct DowntimeTarget {
 [[nodiscard]] Report report_downtime(const DowntimeLog& log, const EventReportOptions& options,
                                      const DowntimeTarget& target, Origin origin);
 
-/// `pointer`: of the supply of a part, "/parts/0/supply"; empty: no changes.
+/// How arrivals stand in a scenario.
+enum class SupplyForm {
+  law,      ///< {"kind": "interarrival"}: times between arrivals
+  profile,  ///< {"kind": "weekly_profile"}: arrivals an hour over the week
+  orders    ///< {"kind": "orders"}: the very orders of the log
+};
+/// `pointer`: of the supply of a part, "/parts/0/supply"; empty: no changes. `name` is that of the library
+/// entry.
 [[nodiscard]] Report report_arrivals(const ArrivalLog& log, const EventReportOptions& options,
-                                     const std::string& pointer, Origin origin);
+                                     SupplyForm form, const std::string& pointer, const std::string& name,
+                                     Origin origin);
 
 /// `pointer`: of a duration, "/operations/0/process/time"; empty: no changes.
 [[nodiscard]] Report report_cycles(const CycleLog& log, const EventReportOptions& options,

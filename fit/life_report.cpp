@@ -63,13 +63,13 @@ const char* second_name(LifeFamily family) {
   }
 }
 
-// The best law that a scenario can hold, with a CV it accepts.
+// The best law whose CV a scenario accepts.
 const LawReport* law_for_scenario(const LifeAnalysis& a) {
   for (const LawReport& one : a.laws) {
     const double cv = one.law.cv();
     if (one.law.family == LifeFamily::exponential) return &one;
-    if (one.law.family == LifeFamily::weibull && cv >= 0.05 && cv <= 2) return &one;
-    if (one.law.family == LifeFamily::normal && cv >= 0.05 && cv <= 0.45) return &one;
+    const double most = one.law.family == LifeFamily::normal ? 0.45 : 2;
+    if (cv >= 0.05 && cv <= most) return &one;
   }
   return nullptr;
 }
@@ -85,6 +85,7 @@ Report report_lives(const RemovalLog& log, const LifeAnalysisOptions& options, c
   Report report;
   origin.rows_used = log.rows_used;
   origin.rows_in_file = log.table.rows_in_file;
+  origin.method = "censored maximum likelihood";
   report.json["table"] = table_json(log.table, log.rows_used);
   report.json["unit"] = log.unit;
   report.json["confidence"] = options.confidence;
@@ -163,9 +164,9 @@ Report report_lives(const RemovalLog& log, const LifeAnalysisOptions& options, c
                  {"gamma", a.gamma},
                  {"gamma_percent_life", bounded_json(a.gamma_percent_life)},
                  {"longest_observed", a.longest}};
-    report.lines.push_back(fmt::format("  {} {}: {} {}", name_of(best.family), first_name(best.family),
+    report.lines.push_back(fmt::format("  {} {}: {}{}", name_of(best.family), first_name(best.family),
                                        with_bounds(a.first.estimate, a.first.bounds),
-                                       best.family == LifeFamily::lognormal ? "" : log.unit));
+                                       best.family == LifeFamily::lognormal ? "" : " " + log.unit));
     if (best.parameters() == 2)
       report.lines.push_back(
           fmt::format("  {}: {}", second_name(best.family), with_bounds(a.second.estimate, a.second.bounds)));
@@ -263,46 +264,47 @@ Report report_lives(const RemovalLog& log, const LifeAnalysisOptions& options, c
       report.warnings.push_back(title +
                                 ": even the best law does not fit (p < 0.05): look at causes and batches");
 
-    if (!target.pointer.empty()) {
-      const LawReport* chosen = law_for_scenario(a);
-      if (chosen == nullptr)
-        throw InputError(
-            "", fmt::format("--to {}: no fitted law has a CV that a scenario accepts", target.pointer));
+    const LawReport* chosen = law_for_scenario(a);
+    if (!target.pointer.empty() && chosen == nullptr)
+      throw InputError(
+          "", fmt::format("--to {}: no fitted law has a CV that a scenario accepts", target.pointer));
+    const bool in_minutes = log.unit != "parts" || target.min_per_part;
+    if (chosen != nullptr && in_minutes) {
       const FittedLaw& law = chosen->law;
-      if (law.family != best.family)
-        report.warnings.push_back(
-            fmt::format("a scenario holds no {} law: the changes carry {} (AICc {} more)",
-                        name_of(best.family), name_of(law.family), plain(law.aicc - best.aicc)));
-      const double factor = log.unit == "parts" ? *target.min_per_part : 1;
-      origin.method = fmt::format("censored maximum likelihood, {} law, {} failures of {} edges",
-                                  name_of(law.family), a.failures, a.edges);
-      const std::string life = target.pointer + "/edge_life/";
-      report.changes.push_back({life + "law", name_of(law.family)});
-      if (law.family != LifeFamily::exponential) report.changes.push_back({life + "cv", law.cv()});
-      report.changes.push_back({life + "mean_ref_min", law.mean() * factor});
-      const auto regime = [&](const char* member, const std::optional<double>& value) {
-        if (value) report.changes.push_back({life + member, *value});
-      };
-      regime("cutting_speed_ref_m_min", target.cutting_speed_m_min);
-      regime("feed_ref_mm_rev", target.feed_mm_rev);
-      regime("depth_of_cut_ref_mm", target.depth_of_cut_mm);
-      report.changes.push_back({target.pointer + "/provenance", origin_text(origin)});
+      Origin own = origin;
+      own.rows_used = group.lives.size();
+      own.method = fmt::format("censored maximum likelihood, {} law, {} failures of {} edges",
+                               name_of(law.family), a.failures, a.edges);
+      ordered_json life = {{"law", name_of(law.family)}};
+      if (law.family != LifeFamily::exponential) life["cv"] = law.cv();
+      life["mean_ref_min"] = law.mean() * (log.unit == "parts" ? *target.min_per_part : 1);
+      if (target.cutting_speed_m_min) life["cutting_speed_ref_m_min"] = *target.cutting_speed_m_min;
+      if (target.feed_mm_rev) life["feed_ref_mm_rev"] = *target.feed_mm_rev;
+      if (target.depth_of_cut_mm) life["depth_of_cut_ref_mm"] = *target.depth_of_cut_mm;
+      // An entry stands for itself: without the regime of the log its mean would say nothing.
       if (target.cutting_speed_m_min && target.feed_mm_rev && target.depth_of_cut_mm)
-        report.json["library_entry"] = insert_entry(group.tool, target.pointer, report.changes);
-      if (!target.cutting_speed_m_min)
-        report.warnings.emplace_back(
-            "the fitted mean replaces the life at the scenario's reference regime; --speed, --feed and "
-            "--depth name the "
-            "regime of the log when it is another one");
+        report.library.push_back(
+            insert_entry(group.regime.empty() ? group.tool : group.tool + " " + group.regime, life, own));
+      if (!target.pointer.empty()) {
+        if (law.family != best.family)
+          report.warnings.push_back(fmt::format(
+              "the {} law has a CV that a scenario does not accept: the changes carry {} (AICc {} more)",
+              name_of(best.family), name_of(law.family), plain(law.aicc - best.aicc)));
+        origin = own;
+        report.changes = insert_changes(target.pointer, life, origin);
+        if (!target.cutting_speed_m_min)
+          report.warnings.emplace_back(
+              "the fitted mean replaces the life at the scenario's reference regime; --speed, --feed and "
+              "--depth name the "
+              "regime of the log when it is another one");
+      }
     }
     report.json["groups"].push_back(j);
   }
   if (fitted == 0 && log.groups.size() == 1)
     throw InputError("", fmt::format("table {}: {}", log.table.file,
                                      report.json["groups"][0]["not_fitted"].get<std::string>()));
-  report.json["warnings"] = report.warnings;
-  report.json["provenance"] = origin_json(origin);
-  if (!report.changes.empty()) report.json["patch"] = patch_json(report.changes, origin);
+  finish(report, origin);
   return report;
 }
 

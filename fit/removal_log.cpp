@@ -14,12 +14,12 @@ namespace {
 
 const std::vector<Role>& roles() {
   static const std::vector<Role> all = {
-      {"life",
-       Quantity::time_min,
-       {"minutes",      "cutting time", "cutting minutes", "time",        "life",       "tool life",
-        "edge life",    "min",          "стійкість",       "час різання", "час роботи", "час",
-        "хвилини",      "напрацювання", "наробіток",       "стойкость",   "время",      "время резания",
-        "время работы", "минуты",       "наработка"}},
+      {"life", Quantity::time_min, {"minutes",   "cutting time",     "cutting minutes",  "time",
+                                    "life",      "tool life",        "edge life",        "min",
+                                    "стійкість", "час різання",      "час роботи",       "час",
+                                    "хвилини",   "напрацювання",     "наробіток",        "стойкость",
+                                    "время",     "время резания",    "время работы",     "минуты",
+                                    "наработка", "стійкість кромки", "стойкость кромки", "наробіток кромки"}},
       {"parts",
        Quantity::number,
        {"parts", "part count", "pieces", "деталі", "деталей", "кількість деталей", "детали",
@@ -34,12 +34,14 @@ const std::vector<Role>& roles() {
         "причина замены"}},
       {"tool",
        Quantity::text,
-       {"tool", "insert", "cutter", "інструмент", "пластина", "різець", "инструмент", "резец"}},
+       {"tool", "insert", "cutter", "інструмент", "пластина", "різець", "фреза", "свердло", "инструмент",
+        "резец", "сверло"}},
       {"regime", Quantity::text, {"regime", "режим", "cutting regime", "режим різання", "режим резания"}},
       {"batch", Quantity::text, {"batch", "lot", "партія", "партия"}},
       {"edge",
        Quantity::text,
-       {"edge", "edge id", "edge no", "id", "no", "record", "кромка", "грань", "№", "номер", "вершина"},
+       {"edge", "edge id", "edge no", "id", "no", "record", "кромка", "грань", "№", "номер", "вершина",
+        "лезо", "лезвие", "різальна кромка", "режущая кромка", "номер кромки", "№ кромки"},
        true}};
   return all;
 }

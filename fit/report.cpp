@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "fit/library.h"
+
 namespace verstat::fit {
 
 using nlohmann::ordered_json;
@@ -73,13 +75,30 @@ std::string origin_text(const Origin& origin) {
                      origin.rows_in_file, origin.method, origin.date, origin.version);
 }
 
-ordered_json insert_entry(const std::string& name, const std::string& pointer,
-                          const std::vector<scenarios::Change>& changes) {
-  ordered_json entry = {{"name", name}};
-  for (const scenarios::Change& change : changes)
-    if (change.pointer.starts_with(pointer + "/"))
-      entry[ordered_json::json_pointer(change.pointer.substr(pointer.size()))] = change.value;
-  return entry;
+LibraryEntry insert_entry(const std::string& name, const ordered_json& edge_life, const Origin& origin) {
+  return {.kind = "insert",
+          .name = name,
+          .entry = {{"name", name}, {"edge_life", edge_life}, {"provenance", origin_text(origin)}},
+          .origin = origin};
+}
+
+std::vector<scenarios::Change> insert_changes(const std::string& pointer, const ordered_json& edge_life,
+                                              const Origin& origin) {
+  std::vector<scenarios::Change> changes;
+  for (const auto& [member, value] : edge_life.items())
+    changes.push_back({pointer + "/edge_life/" + member, value});
+  changes.push_back({pointer + "/provenance", origin_text(origin)});
+  return changes;
+}
+
+void finish(Report& report, const Origin& origin) {
+  report.json["warnings"] = report.warnings;
+  report.json["provenance"] = origin_json(origin);
+  if (!report.library.empty()) {
+    report.json["library"] = ordered_json::array();
+    for (const LibraryEntry& entry : report.library) report.json["library"].push_back(library_json(entry));
+  }
+  if (!report.changes.empty()) report.json["patch"] = patch_json(report.changes, origin);
 }
 
 ordered_json patch_json(const std::vector<scenarios::Change>& changes, const Origin& origin) {

@@ -22,11 +22,20 @@ struct Origin {
   std::string version;  ///< of the program
 };
 
+/// A fitted element of a scenario by itself: an insert, a failure mode, a duration, a supply.
+struct LibraryEntry {
+  std::string kind;  ///< "insert", "failure", "duration", "supply"
+  std::string name;
+  nlohmann::ordered_json entry;
+  Origin origin;
+};
+
 struct Report {
   nlohmann::ordered_json json;
   std::vector<std::string> lines;
   std::vector<std::string> warnings;
   std::vector<scenarios::Change> changes;
+  std::vector<LibraryEntry> library;
 };
 
 /// A finite number, or null.
@@ -46,11 +55,15 @@ void add_table_lines(std::vector<std::string>& lines, const Table& table, std::s
 /// {"changes": [{pointer, value}], "provenance": {...}}: the file that --changes reads.
 [[nodiscard]] nlohmann::ordered_json patch_json(const std::vector<scenarios::Change>& changes,
                                                 const Origin& origin);
-
-/// The changes of the insert at `pointer` as an insert of a scenario or a library; its price and edges are
-/// the shop's to add.
-[[nodiscard]] nlohmann::ordered_json insert_entry(const std::string& name, const std::string& pointer,
-                                                  const std::vector<scenarios::Change>& changes);
+/// The members of an edge life as an entry of a library; price and edges are the shop's to add.
+[[nodiscard]] LibraryEntry insert_entry(const std::string& name, const nlohmann::ordered_json& edge_life,
+                                        const Origin& origin);
+/// The members of an edge life as changes of the insert at `pointer`.
+[[nodiscard]] std::vector<scenarios::Change> insert_changes(const std::string& pointer,
+                                                            const nlohmann::ordered_json& edge_life,
+                                                            const Origin& origin);
+/// Puts warnings, provenance, library entries and the patch into the JSON answer.
+void finish(Report& report, const Origin& origin);
 
 /// Four or five digits, without an exponent between 0.001 and a million.
 [[nodiscard]] std::string plain(double value);

@@ -49,45 +49,44 @@ ordered_json fit_json(const TaylorFit& fit) {
   return j;
 }
 
-void add_changes(Report& report, const TaylorFit& fit, const std::string& pointer, Origin& origin,
-                 const WearGroup& group, double criterion_mm) {
+// Why a scenario cannot hold the fit; empty: it can.
+std::string why_not_for_scenario(const TaylorFit& fit) {
   const double mu = fit.exponents[0].value;
   if (!(mu > 1 && mu <= 50))
-    throw InputError(
-        "", fmt::format("--to {}: the exponent of the cutting speed is {:.3g}; a scenario wants 1 to 50, so "
-                        "these runs do not give a Taylor law",
-                        pointer, mu));
+    return fmt::format(
+        "the exponent of the cutting speed is {:.3g}; a scenario wants 1 to 50, so these runs do not give a "
+        "Taylor law",
+        mu);
   if (!(fit.cv() >= 0.05 && fit.cv() <= 2))
-    throw InputError(
-        "", fmt::format("--to {}: the CV of life is {:.3g}; a scenario wants 0.05 to 2", pointer, fit.cv()));
-  origin.method = fmt::format(
-      "extended Taylor equation, censored maximum likelihood, {} law, VB {:g} mm, {} runs of \"{}\" "
-      "with \"{}\"",
-      law_name(fit.law), criterion_mm, fit.runs, group.material, group.tool);
+    return fmt::format("the CV of life is {:.3g}; a scenario wants 0.05 to 2", fit.cv());
+  return {};
+}
+
+// The edge life of a scenario; what stays as the scenario has it is said in `stays`.
+ordered_json edge_life_of(const TaylorFit& fit, std::vector<std::string>& stays) {
+  const double mu = fit.exponents[0].value;
   if (fit.laboratories.size() > 1)
-    report.warnings.push_back(fmt::format("mean_ref_min is the level of laboratory {}, the first of {}",
-                                          fit.laboratories[0], fit.laboratories.size()));
-  const std::string life = pointer + "/edge_life/";
-  report.changes.push_back({life + "law", "weibull"});
-  report.changes.push_back({life + "cv", fit.cv()});
-  report.changes.push_back({life + "mean_ref_min", fit.mean_min(fit.center)});
-  report.changes.push_back({life + "cutting_speed_ref_m_min", fit.center[0]});
-  report.changes.push_back({life + "feed_ref_mm_rev", fit.center[1]});
-  report.changes.push_back({life + "depth_of_cut_ref_mm", fit.center[2]});
-  report.changes.push_back({life + "speed_exponent", mu});
+    stays.push_back(fmt::format("mean_ref_min is the level of laboratory {}, the first of {}",
+                                fit.laboratories[0], fit.laboratories.size()));
+  ordered_json life = {{"law", law_name(fit.law)},
+                       {"cv", fit.cv()},
+                       {"mean_ref_min", fit.mean_min(fit.center)},
+                       {"cutting_speed_ref_m_min", fit.center[0]},
+                       {"feed_ref_mm_rev", fit.center[1]},
+                       {"depth_of_cut_ref_mm", fit.center[2]},
+                       {"speed_exponent", mu}};
   const std::array<const char*, 3> members = {"", "feed_exponent", "depth_exponent"};
   for (std::size_t k = 1; k < 3; ++k) {
     const TaylorExponent& e = fit.exponents[k];
     // The scenario writes feed and depth as exponents of the speed at equal life.
     if (e.fitted && e.value >= 0 && e.value / mu <= 5)
-      report.changes.push_back({life + members[k], e.value / mu});
+      life[members[k]] = e.value / mu;
     else
-      report.warnings.push_back(fmt::format(
+      stays.push_back(fmt::format(
           "{} stays as the scenario has it: {}", members[k],
           e.fitted ? fmt::format("the fitted one, {:.3g}, is outside 0 to 5", e.value / mu) : e.why_not));
   }
-  report.changes.push_back({pointer + "/provenance", origin_text(origin)});
-  report.json["library_entry"] = insert_entry(group.tool, pointer, report.changes);
+  return life;
 }
 
 }  // namespace
@@ -183,18 +182,33 @@ Report report_taylor(const WearData& data, const TaylorOptions& options, const T
           plain(p.one_edge_bounds.low), plain(p.one_edge_bounds.high), 100 * options.confidence));
       for (const std::string& warning : p.warnings) report.warnings.push_back(title + ": " + warning);
     }
-    if (!target.pointer.empty()) {
-      // A scenario's Taylor law with scatter is Weibull.
-      add_changes(report, *weibull, target.pointer, origin, group, data.criterion_mm);
+    // Both laws have as many parameters: the likelier one goes into the scenario.
+    const TaylorFit& kept =
+        weibull->regression.log_likelihood > lognormal->regression.log_likelihood ? *weibull : *lognormal;
+    const std::string why_not = why_not_for_scenario(kept);
+    if (!target.pointer.empty() && !why_not.empty())
+      throw InputError("", fmt::format("--to {}: {}", target.pointer, why_not));
+    if (why_not.empty()) {
+      Origin own = origin;
+      own.method = fmt::format(
+          "extended Taylor equation, censored maximum likelihood, {} law, VB {:g} mm, {} runs of \"{}\" "
+          "with \"{}\"",
+          law_name(kept.law), data.criterion_mm, kept.runs, group.material, group.tool);
+      std::vector<std::string> stays;
+      const ordered_json life = edge_life_of(kept, stays);
+      report.library.push_back(insert_entry(title, life, own));
+      if (!target.pointer.empty()) {
+        origin = own;
+        report.warnings.insert(report.warnings.end(), stays.begin(), stays.end());
+        report.changes = insert_changes(target.pointer, life, origin);
+      }
     }
     report.json["groups"].push_back(j);
   }
   report.json["groups_fitted"] = fitted;
   report.lines.push_back(
       fmt::format("{} of {} pairs of material and tool fitted", fitted, data.groups.size()));
-  report.json["warnings"] = report.warnings;
-  report.json["provenance"] = origin_json(origin);
-  if (!report.changes.empty()) report.json["patch"] = patch_json(report.changes, origin);
+  finish(report, origin);
   return report;
 }
 

@@ -2,6 +2,7 @@
 // A duration as a user gives it: a constant or a probability law.
 
 #include <variant>
+#include <vector>
 
 namespace verstat::operations {
 
@@ -39,8 +40,20 @@ struct WeibullDuration {
   double mean_min = 0;
   double cv = 0.5;
 };
+/// How an empirical law fills the gaps between the observed values.
+enum class BetweenValues {
+  linear,  ///< evenly between neighbouring values
+  step     ///< not at all: only observed values occur
+};
+/// The observed values themselves.
+struct EmpiricalDuration {
+  static constexpr const char* kind = "empirical";
+  std::vector<double> values_min;
+  std::vector<double> weights;  ///< of the values, in their order; empty: the same for all
+  BetweenValues between = BetweenValues::linear;
+};
 using Duration = std::variant<ConstantDuration, ExponentialDuration, UniformDuration, TriangularDuration,
-                              LognormalDuration, GammaDuration, WeibullDuration>;
+                              LognormalDuration, GammaDuration, WeibullDuration, EmpiricalDuration>;
 
 /// Mean of a duration, min.
 [[nodiscard]] double mean_min(const Duration& duration);

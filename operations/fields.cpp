@@ -1,5 +1,8 @@
 #include "operations/fields.h"
 
+#include <algorithm>
+#include <numeric>
+
 #include <fmt/format.h>
 
 namespace verstat::models {
@@ -42,6 +45,17 @@ std::vector<Field> StructFields<WeibullDuration>::fields() {
   return mean_and_cv<WeibullDuration>();
 }
 
+std::vector<Field> StructFields<EmpiricalDuration>::fields() {
+  using D = EmpiricalDuration;
+  return {entries(need<D>(&D::values_min, "values_min", "min", duration_min, "observed values, in any order"),
+                  2, 10'000),
+          entries(may<D>(&D::weights, "weights", "1", closed(0, 1e9),
+                         "weight of every value, such as how often it was seen; empty: the same for all"),
+                  0, 10'000),
+          may<D>(&D::between, "between", "-", no_range(),
+                 "linear: evenly between neighbouring values; step: only observed values occur")};
+}
+
 std::vector<Field> StructFields<EdgeLife>::fields() {
   return {may<EdgeLife>(&EdgeLife::law, "law", "-", no_range(), "life law of an edge"),
           may<EdgeLife>(&EdgeLife::cv, "cv", "1", closed(0.05, 2),
@@ -80,6 +94,37 @@ std::vector<Field> StructFields<MachineLimits>::fields() {
 
 namespace verstat::operations {
 
+namespace {
+
+double weight_of(const EmpiricalDuration& d, std::size_t k) {
+  return d.weights.empty() ? 1 : d.weights[k];
+}
+
+double mean_of(const EmpiricalDuration& d) {
+  std::vector<std::size_t> order(d.values_min.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::erase_if(order, [&](std::size_t k) { return !(weight_of(d, k) > 0); });
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return d.values_min[a] < d.values_min[b]; });
+  // Step: the weighted mean. Linear: between two neighbours lies half the weight of each, evenly spread.
+  double sum = 0;
+  double weight = 0;
+  const auto add = [&](double w, double value) {
+    sum += w * value;
+    weight += w;
+  };
+  for (std::size_t k = 0; k < order.size(); ++k) {
+    if (d.between == BetweenValues::step)
+      add(weight_of(d, order[k]), d.values_min[order[k]]);
+    else if (k > 0)
+      add((weight_of(d, order[k - 1]) + weight_of(d, order[k])) / 2,
+          (d.values_min[order[k - 1]] + d.values_min[order[k]]) / 2);
+  }
+  return sum / weight;
+}
+
+}  // namespace
+
 double mean_min(const Duration& duration) {
   struct Mean {
     double operator()(const ConstantDuration& d) const { return d.value_min; }
@@ -89,6 +134,7 @@ double mean_min(const Duration& duration) {
     double operator()(const LognormalDuration& d) const { return d.mean_min; }
     double operator()(const GammaDuration& d) const { return d.mean_min; }
     double operator()(const WeibullDuration& d) const { return d.mean_min; }
+    double operator()(const EmpiricalDuration& d) const { return mean_of(d); }
   };
   return std::visit(Mean{}, duration);
 }
@@ -102,6 +148,15 @@ void check_duration(const Duration& duration, const std::string& name) {
                     fmt::format("must not be above mode_min = {}", t->mode_min));
     models::require(t->mode_min <= t->high_min, name + "/mode_min", t->mode_min,
                     fmt::format("must not be above high_min = {}", t->high_min));
+  }
+  if (const auto* e = std::get_if<EmpiricalDuration>(&duration)) {
+    if (!e->weights.empty())
+      models::require(e->weights.size() == e->values_min.size(), name + "/weights",
+                      static_cast<double>(e->weights.size()),
+                      fmt::format("must have one weight for each of the {} values", e->values_min.size()));
+    const auto heavy = std::count_if(e->weights.begin(), e->weights.end(), [](double w) { return w > 0; });
+    models::require(e->weights.empty() || heavy >= 2, name + "/weights", static_cast<double>(heavy),
+                    "must be above 0 for at least two values");
   }
 }
 

@@ -61,6 +61,15 @@ struct StructFields<operations::WeibullDuration> {
   static std::vector<Field> fields();
 };
 template <>
+struct EnumNames<operations::BetweenValues> {
+  static constexpr std::array names{std::pair{operations::BetweenValues::linear, "linear"},
+                                    std::pair{operations::BetweenValues::step, "step"}};
+};
+template <>
+struct StructFields<operations::EmpiricalDuration> {
+  static std::vector<Field> fields();
+};
+template <>
 struct StructFields<operations::EdgeLife> {
   static std::vector<Field> fields();
 };

@@ -6,12 +6,6 @@ namespace verstat::scenarios {
 
 namespace {
 
-template <class T>
-std::size_t index_of(const std::vector<T>& all, const std::string& name) {
-  const T* found = find_named(all, name);
-  return found == nullptr ? route_end : static_cast<std::size_t>(found - all.data());
-}
-
 std::vector<RouteComponent> components(const Scenario& scenario, const std::vector<Component>& named) {
   std::vector<RouteComponent> result;
   for (const Component& c : named) result.push_back({index_of(scenario.parts, c.part), c.count});

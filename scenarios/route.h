@@ -10,6 +10,13 @@ namespace verstat::scenarios {
 
 inline constexpr std::size_t route_end = static_cast<std::size_t>(-1);
 
+/// Position of the element with this name; route_end when there is none.
+template <class T>
+[[nodiscard]] std::size_t index_of(const std::vector<T>& all, const std::string& name) {
+  const T* found = find_named(all, name);
+  return found == nullptr ? route_end : static_cast<std::size_t>(found - all.data());
+}
+
 struct RouteBranch {
   std::size_t to = route_end;  ///< index of a step, or route_end
   double probability = 1;

@@ -79,19 +79,35 @@ std::int64_t scenario_id(SQLite::Database& db, const std::string& name, const st
   return db.getLastInsertRowid();
 }
 
-std::int64_t kpi_id(SQLite::Database& db, const KpiInfo& kpi) {
-  SQLite::Statement find(db, "SELECT id FROM kpi WHERE name = ? AND unit = ? AND meaning = ?");
-  find.bind(1, kpi.name);
-  find.bind(2, kpi.unit);
-  find.bind(3, kpi.meaning);
-  if (find.executeStep()) return find.getColumn(0).getInt64();
-  SQLite::Statement add(db, "INSERT INTO kpi(name, unit, meaning) VALUES(?, ?, ?)");
-  add.bind(1, kpi.name);
-  add.bind(2, kpi.unit);
-  add.bind(3, kpi.meaning);
-  add.exec();
-  return db.getLastInsertRowid();
-}
+// Rows of the table of KPIs. A shop has thousands of them: their statements are prepared once.
+class KpiRows {
+ public:
+  explicit KpiRows(SQLite::Database& db)
+      : db_(db),
+        find_(db, "SELECT id FROM kpi WHERE name = ? AND unit = ? AND meaning = ?"),
+        add_(db, "INSERT INTO kpi(name, unit, meaning) VALUES(?, ?, ?)") {}
+  std::int64_t id_of(const KpiInfo& kpi) {
+    bind(find_, kpi);
+    const bool found = find_.executeStep();
+    const std::int64_t id = found ? find_.getColumn(0).getInt64() : 0;
+    find_.reset();
+    if (found) return id;
+    bind(add_, kpi);
+    add_.exec();
+    add_.reset();
+    return db_.getLastInsertRowid();
+  }
+
+ private:
+  static void bind(SQLite::Statement& s, const KpiInfo& kpi) {
+    s.bind(1, kpi.name);
+    s.bind(2, kpi.unit);
+    s.bind(3, kpi.meaning);
+  }
+  SQLite::Database& db_;
+  SQLite::Statement find_;
+  SQLite::Statement add_;
+};
 
 }  // namespace
 
@@ -221,11 +237,12 @@ std::int64_t Writer::add_run(const Run& run) {
     add.exec();
     const std::int64_t id = db_->getLastInsertRowid();
     SQLite::Statement add_kpi(*db_, "INSERT INTO run_kpi VALUES(?, ?, ?, ?, ?, ?)");
+    KpiRows kpi_rows(*db_);
     for (std::size_t k = 0; k < run.kpis.size(); ++k) {
       const KpiSummary& kpi = run.kpis[k];
       add_kpi.bind(1, id);
       add_kpi.bind(2, static_cast<std::int64_t>(k));
-      add_kpi.bind(3, kpi_id(*db_, kpi.kpi));
+      add_kpi.bind(3, kpi_rows.id_of(kpi.kpi));
       bind(add_kpi, 4, kpi.mean);
       bind(add_kpi, 5, kpi.half_width);
       add_kpi.bind(6, kpi.samples);

@@ -12,12 +12,12 @@ _verstat() {
   local words=""
   case "$key" in
     "") words="validate run compare sweep losses optimize plan models runs fit calibrate serve schema trace graph -h --help --version" ;;
-    "validate") words="-h --help --json --seed --replications --threads --set --changes" ;;
-    "run") words="-h --help --label --check --json --db --seed --replications --threads --set --changes" ;;
-    "compare") words="-h --help --variant --kpi --confidence --indifference --max-replications --progress --json --db --seed --replications --threads --set --changes" ;;
-    "sweep") words="-h --help --factor --design --points --kpi --resume --progress --json --db --seed --replications --threads --set --changes" ;;
-    "losses") words="-h --help --loss --progress --json --db --seed --replications --threads --set --changes" ;;
-    "optimize") words="-h --help --resume --write-plan --time --progress --json --db --seed --replications --threads --set --changes" ;;
+    "validate") words="-h --help --json --seed --replications --threads --set --changes --use" ;;
+    "run") words="-h --help --label --check --json --db --seed --replications --threads --set --changes --use" ;;
+    "compare") words="-h --help --variant --kpi --confidence --indifference --max-replications --progress --json --db --seed --replications --threads --set --changes --use" ;;
+    "sweep") words="-h --help --factor --design --points --kpi --resume --progress --json --db --seed --replications --threads --set --changes --use" ;;
+    "losses") words="-h --help --loss --progress --json --db --seed --replications --threads --set --changes --use" ;;
+    "optimize") words="-h --help --resume --write-plan --time --progress --json --db --seed --replications --threads --set --changes --use" ;;
     "plan") words="-h --help --explain --json --set" ;;
     "models") words="list search show doc count eval -h --help" ;;
     "models/list") words="-h --help --source --json" ;;
@@ -28,17 +28,17 @@ _verstat() {
     "models/eval") words="-h --help --inputs --batch --source --json" ;;
     "runs") words="-h --help --run --study --all-replications --json --db" ;;
     "fit") words="life taylor downtime arrivals cycle value -h --help" ;;
-    "fit/life") words="-h --help --column --encoding --separator --decimal --duplicates --confidence --seed --out --json --tool --regime --planned-cause --failure-cause --gamma --bootstrap --to --speed --feed --depth --min-per-part" ;;
-    "fit/taylor") words="-h --help --column --encoding --separator --decimal --duplicates --confidence --seed --out --json --criterion --material --tool --at --pool-laboratories --to" ;;
-    "fit/downtime") words="-h --help --column --encoding --separator --decimal --duplicates --confidence --seed --out --json --bootstrap --hours --weekdays --from --to-time --new-at-start --clock --mode --to-failure --to-repair --accept-trend" ;;
-    "fit/arrivals") words="-h --help --column --encoding --separator --decimal --duplicates --confidence --seed --out --json --bootstrap --hours --weekdays --part --to" ;;
-    "fit/cycle") words="-h --help --column --encoding --separator --decimal --duplicates --confidence --seed --out --json --bootstrap --operation --to" ;;
-    "fit/value") words="-h --help --column --encoding --separator --decimal --duplicates --confidence --seed --out --json --plans --regime --planned-cause --failure-cause --truths" ;;
-    "calibrate") words="-h --help --totals --uncertain --points --rounds --confidence --out --seed --threads --set --json" ;;
+    "fit/life") words="-h --help --column --encoding --separator --decimal --sheet --duplicates --confidence --seed --json --regime --planned-cause --failure-cause --out --library --tool --gamma --bootstrap --to --speed --feed --depth --min-per-part" ;;
+    "fit/taylor") words="-h --help --column --encoding --separator --decimal --sheet --duplicates --confidence --seed --json --out --library --criterion --material --tool --at --pool-laboratories --to" ;;
+    "fit/downtime") words="-h --help --column --encoding --separator --decimal --sheet --duplicates --confidence --seed --json --out --library --bootstrap --empirical --hours --weekdays --from --to-time --new-at-start --clock --mode --to-failure --to-repair --accept-trend" ;;
+    "fit/arrivals") words="-h --help --column --encoding --separator --decimal --sheet --duplicates --confidence --seed --json --out --library --bootstrap --empirical --hours --weekdays --part --as --to" ;;
+    "fit/cycle") words="-h --help --column --encoding --separator --decimal --sheet --duplicates --confidence --seed --json --out --library --bootstrap --empirical --operation --to" ;;
+    "fit/value") words="-h --help --column --encoding --separator --decimal --sheet --duplicates --confidence --seed --json --regime --planned-cause --failure-cause --plans --truths" ;;
+    "calibrate") words="-h --help --totals --uncertain --points --rounds --confidence --out --seed --threads --set --changes --use --json" ;;
     "serve") words="-h --help --db --host --port --token --read-only" ;;
     "schema") words="-h --help" ;;
-    "trace") words="-h --help --out --format --replication --seed --replications --threads --set --changes" ;;
-    "graph") words="-h --help --seed --replications --threads --set --changes" ;;
+    "trace") words="-h --help --out --format --replication --seed --replications --threads --set --changes --use" ;;
+    "graph") words="-h --help --seed --replications --threads --set --changes --use" ;;
   esac
   case "$word" in
     -*) COMPREPLY=($(compgen -W "$words" -- "$word")) ;;

@@ -42,6 +42,31 @@ double unit_scale_mean(double shape) {
   return boost::math::tgamma(1 + 1 / shape, MathPolicy());
 }
 
+// Hazard of the gamma law with scale 1 at x >= 0.
+double gamma_hazard(double shape, double x) {
+  const double left = boost::math::gamma_q(shape, x, MathPolicy());
+  if (left > 1e-200) {
+    if (x == 0) return shape > 1 ? 0 : shape == 1 ? 1 : std::numeric_limits<double>::infinity();
+    return boost::math::gamma_p_derivative(shape, x, MathPolicy()) / left;
+  }
+  // Where both underflow: Legendre's continued fraction of Gamma(shape, x) / (x^shape exp(-x)) by the
+  // modified Lentz method (DLMF 8.9.2); it converges for x > shape + 1, and here x is far beyond.
+  double b = x + 1 - shape;
+  double c = 1e300;
+  double d = 1 / b;
+  double fraction = d;
+  for (int k = 1; k <= 1000; ++k) {
+    const double a = -k * (k - shape);
+    b += 2;
+    d = 1 / (a * d + b);
+    c = b + a / c;
+    const double step = c * d;
+    fraction *= step;
+    if (std::abs(step - 1) < 1e-15) break;
+  }
+  return 1 / (x * fraction);
+}
+
 // Integral of Phi from -infinity to z.
 double integrated_phi(double z) {
   return z * normal_cdf(z) + normal_density(z);
@@ -89,6 +114,16 @@ LifeLaw::LifeLaw(LifeLawKind kind, double mean, double cv) : kind_(kind), mean_(
       cv_ = 1;
       scale_ = mean;
       break;
+    case LifeLawKind::lognormal:
+      require(cv >= 1e-4 && cv <= 10, "cv", cv, "allowed 1e-4 <= cv <= 10 for the lognormal law");
+      shape_ = std::sqrt(std::log1p(cv * cv));
+      scale_ = mean / std::sqrt(1 + cv * cv);
+      break;
+    case LifeLawKind::gamma:
+      require(cv >= 0.01 && cv <= 10, "cv", cv, "allowed 0.01 <= cv <= 10 for the gamma law");
+      shape_ = 1 / (cv * cv);
+      scale_ = mean * cv * cv;
+      break;
   }
 }
 
@@ -122,6 +157,10 @@ double LifeLaw::reliability(double t) const {
       return normal_cdf((mean_ - t) / scale_);
     case LifeLawKind::exponential:
       return std::exp(-t / scale_);
+    case LifeLawKind::lognormal:
+      return t > 0 ? normal_cdf(std::log(scale_ / t) / shape_) : 1;
+    case LifeLawKind::gamma:
+      return std::isinf(t) ? 0 : boost::math::gamma_q(shape_, t / scale_, MathPolicy());
   }
   return 0;
 }
@@ -134,6 +173,10 @@ double LifeLaw::failure_probability(double t) const {
       return normal_cdf((t - mean_) / scale_);
     case LifeLawKind::exponential:
       return -std::expm1(-t / scale_);
+    case LifeLawKind::lognormal:
+      return t > 0 ? normal_cdf(std::log(t / scale_) / shape_) : 0;
+    case LifeLawKind::gamma:
+      return std::isinf(t) ? 1 : boost::math::gamma_p(shape_, t / scale_, MathPolicy());
   }
   return 1;
 }
@@ -151,6 +194,10 @@ double LifeLaw::hazard(double t) const {
       return normal_hazard((t - mean_) / scale_) / scale_;
     case LifeLawKind::exponential:
       return 1 / scale_;
+    case LifeLawKind::lognormal:
+      return t > 0 ? normal_hazard(std::log(t / scale_) / shape_) / (shape_ * t) : 0;
+    case LifeLawKind::gamma:
+      return gamma_hazard(shape_, t / scale_) / scale_;
   }
   return 0;
 }
@@ -170,6 +217,16 @@ double LifeLaw::restricted_mean(double tau) const {
     }
     case LifeLawKind::exponential:
       return std::min(tau, -mean_ * std::expm1(-tau / mean_));
+    case LifeLawKind::lognormal:
+    case LifeLawKind::gamma: {
+      if (tau == 0) return 0;
+      // E[life; life <= tau] + tau R(tau): the first is mean times the failure probability of the law
+      // weighted by life itself, which is lognormal or gamma again.
+      const double weighted = kind_ == LifeLawKind::lognormal
+                                  ? normal_cdf(std::log(tau / scale_) / shape_ - shape_)
+                                  : boost::math::gamma_p(shape_ + 1, tau / scale_, MathPolicy());
+      return std::min({tau, mean_, mean_ * weighted + tau * reliability(tau)});
+    }
   }
   return 0;
 }
@@ -186,6 +243,10 @@ double LifeLaw::gamma_percent_life(double gamma) const {
       return std::max(0.0, mean_ - scale_ * normal_quantile(gamma));
     case LifeLawKind::exponential:
       return -scale_ * std::log(gamma);
+    case LifeLawKind::lognormal:
+      return scale_ * std::exp(-shape_ * normal_quantile(gamma));
+    case LifeLawKind::gamma:
+      return scale_ * boost::math::gamma_q_inv(shape_, gamma, MathPolicy());
   }
   return 0;
 }
@@ -198,6 +259,10 @@ double LifeLaw::quantile(double u) const {
       return std::max(0.0, mean_ + scale_ * normal_quantile(u));
     case LifeLawKind::exponential:
       return -scale_ * std::log1p(-u);
+    case LifeLawKind::lognormal:
+      return scale_ * std::exp(shape_ * normal_quantile(u));
+    case LifeLawKind::gamma:
+      return scale_ * boost::math::gamma_p_inv(shape_, u, MathPolicy());
   }
   return 0;
 }

@@ -1,7 +1,7 @@
 #pragma once
-// Life of a cutting edge as a random variable: Weibull, normal with an atom at zero, or exponential, given by
-// its mean and coefficient of variation. The card functions use it for gamma-percent lives and cost rates,
-// the simulator draws lives from it by inversion.
+// Life of a cutting edge as a random variable: Weibull, normal with an atom at zero, exponential, lognormal
+// or gamma, given by its mean and coefficient of variation. The card functions use it for gamma-percent lives
+// and cost rates, the simulator draws lives from it by inversion.
 //
 //   const LifeLaw law(LifeLawKind::weibull, 60, 0.7);      // mean in any unit of time, here min
 //   const double age = law.gamma_percent_life(0.64);       // survived with probability 0.64
@@ -18,21 +18,25 @@ enum class LifeLawKind {
   weibull,      ///< R(t) = exp(-(t/scale)^shape)
   normal,       ///< life = max(0, N(mean, cv mean)): an atom of 1 - Phi(1/cv) at zero
   exponential,  ///< R(t) = exp(-t/mean); no cv of its own
+  lognormal,    ///< R(t) = Phi(ln(scale/t)/shape): scale is the median, shape the sd of ln life
+  gamma,        ///< R(t) = Q(shape, t/scale), the regularized upper incomplete gamma function
 };
 
 template <class E>
 struct EnumNames;  // models/catalogue/field.h
 template <>
 struct EnumNames<LifeLawKind> {
-  static constexpr std::array names{std::pair{LifeLawKind::weibull, "weibull"},
-                                    std::pair{LifeLawKind::normal, "normal"},
-                                    std::pair{LifeLawKind::exponential, "exponential"}};
+  static constexpr std::array names{
+      std::pair{LifeLawKind::weibull, "weibull"}, std::pair{LifeLawKind::normal, "normal"},
+      std::pair{LifeLawKind::exponential, "exponential"}, std::pair{LifeLawKind::lognormal, "lognormal"},
+      std::pair{LifeLawKind::gamma, "gamma"}};
 };
 
 class LifeLaw {
  public:
   /// Law with mean > 0 and cv: 1e-4..10 for Weibull, 0.05..0.45 for normal (a wider scatter would put more
-  /// than 1.3 % of the lives into the atom), ignored by exponential.
+  /// than 1.3 % of the lives into the atom), 1e-4..10 for lognormal, 0.01..10 for gamma, ignored by
+  /// exponential.
   /// `mean` of the normal law is the untruncated mean. Throws DomainError naming "cv" or the mean.
   LifeLaw(LifeLawKind kind, double mean, double cv);
   /// Weibull law given by scale > 0 and shape 0.25..60 (cv 8.3..0.021). Throws DomainError.
@@ -41,9 +45,10 @@ class LifeLaw {
   [[nodiscard]] LifeLawKind kind() const { return kind_; }
   [[nodiscard]] double mean() const { return mean_; }
   [[nodiscard]] double cv() const { return cv_; }
-  /// Weibull shape b (1 for exponential; not used by normal).
+  /// Weibull shape b, gamma shape, sd of ln life of the lognormal law (1 for exponential; not used by
+  /// normal).
   [[nodiscard]] double shape() const { return shape_; }
-  /// Weibull scale, exponential mean, or standard deviation of the normal law.
+  /// Weibull or gamma scale, exponential mean, lognormal median, or standard deviation of the normal law.
   [[nodiscard]] double scale() const { return scale_; }
   /// The same law stretched to another mean (shape and cv kept). Cheap: nothing is solved again.
   [[nodiscard]] LifeLaw with_mean(double mean) const;
@@ -52,7 +57,7 @@ class LifeLaw {
   [[nodiscard]] double reliability(double t) const;
   /// F(t) = 1 - R(t), without cancellation for small t.
   [[nodiscard]] double failure_probability(double t) const;
-  /// Density at t >= 0 without the atom; infinite at t = 0 for Weibull shape < 1.
+  /// Density at t >= 0 without the atom; infinite at t = 0 for Weibull and gamma shape < 1.
   [[nodiscard]] double density(double t) const;
   /// density / R, finite also where R underflows.
   [[nodiscard]] double hazard(double t) const;

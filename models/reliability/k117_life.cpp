@@ -25,8 +25,9 @@ WeibullParameters weibull_from_moments(const LifeMoments& in) {
 
 LifeReliability life_reliability(const LifeAtAge& in) {
   return guarded<&life_reliability>(in, [&] {
-    require(in.age_min > 0 || in.law != LifeLawKind::weibull || in.cv <= 1, "t_min", in.age_min,
-            "must be above 0: the Weibull hazard with cv > 1 is infinite at 0");
+    const bool starts_high = in.law == LifeLawKind::weibull || in.law == LifeLawKind::gamma;
+    require(in.age_min > 0 || !starts_high || in.cv <= 1, "t_min", in.age_min,
+            "must be above 0: the Weibull and gamma hazards with cv > 1 are infinite at 0");
     const LifeLaw law(in.law, in.mean_min, in.cv);
     return LifeReliability{law.reliability(in.age_min), law.density(in.age_min), law.hazard(in.age_min)};
   });

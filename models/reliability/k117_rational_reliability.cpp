@@ -20,7 +20,8 @@ auto moments() {
 template <class In>
 auto law() {
   return [](auto& f) {
-    f.optional(&In::law, "law", "F", "-", no_range(), "life law: weibull, normal or exponential");
+    f.optional(&In::law, "law", "F", "-", no_range(),
+               "life law: weibull, normal, exponential, lognormal or gamma");
   };
 }
 template <class In>

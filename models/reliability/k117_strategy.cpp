@@ -21,14 +21,24 @@ OptimalAge optimal_age(const LifeLaw& law, double planned, double failure) {
   const double to_failure = failure / law.mean_life();
   const OptimalAge run_to_failure{no_schedule_min, 0, to_failure, to_failure};
   if (!(failure > planned)) return run_to_failure;
-  // The cost rate falls while h M + R < Q2/(Q2 - Q1). For a rising hazard the left side rises, so its root is
-  // the only minimum; for a constant or falling one it never gets there.
+  // The cost rate falls while h M + R < Q2/(Q2 - Q1). The left side rises and falls with the hazard: for a
+  // rising hazard its root is the only minimum, for a constant or falling one it never gets there, and for
+  // one that rises and then falls (lognormal) the first of two roots is the minimum.
   const double level = failure / (failure - planned);
   const auto excess = [&](double age) {
     return law.hazard(age) * law.restricted_mean(age) + law.reliability(age) - level;
   };
   const double low = 0.01 * law.mean();
-  const double high = 6 * law.mean();
+  double high = 6 * law.mean();
+  if (law.kind() == LifeLawKind::lognormal && excess(low) < 0) {
+    constexpr int steps = 256;
+    for (int k = 1; k <= steps; ++k) {
+      const double age = low * std::pow(600.0, static_cast<double>(k) / steps);
+      if (excess(age) < 0) continue;
+      high = age;
+      break;
+    }
+  }
   double age = 0;
   if (excess(low) >= 0)
     age = low;

@@ -99,7 +99,7 @@ void add_cutting_load(CutPlan& p, const FaceMilling& spec, const PlanContext& co
   add_machine_limits(p, context, load);
 }
 
-// Life of one tooth at the load of the fresh mill; normal laws are taken as the Weibull law of the same cv.
+// Life of one tooth at the load of the fresh mill; other laws are taken as the Weibull law of the same cv.
 struct ToothLaw {
   ElementLife life;
   double shape = 1;

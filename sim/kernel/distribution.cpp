@@ -233,6 +233,46 @@ Distribution Distribution::empirical(const std::vector<double>& observations) {
   return Distribution(law::Empirical{std::move(sorted)});
 }
 
+Distribution Distribution::empirical(const std::vector<double>& observations,
+                                     const std::vector<double>& weights) {
+  if (weights.size() != observations.size()) {
+    throw std::invalid_argument("distribution empirical: " + std::to_string(observations.size()) +
+                                " observations and " + std::to_string(weights.size()) +
+                                " weights, must be as many");
+  }
+  std::vector<std::size_t> order;
+  for (std::size_t i = 0; i < weights.size(); ++i) {
+    if (!std::isfinite(observations[i]))
+      refuse("empirical", "observation", observations[i], "finite numbers");
+    if (!(weights[i] >= 0.0) || std::isinf(weights[i]))
+      refuse("empirical", "weight", weights[i], "finite and >= 0");
+    if (weights[i] > 0.0) order.push_back(i);
+  }
+  if (order.size() < 2) {
+    throw std::invalid_argument("distribution empirical: " + std::to_string(order.size()) +
+                                " observations with a weight above 0, at least 2 needed");
+  }
+  if (std::all_of(order.begin(), order.end(),
+                  [&](std::size_t i) { return weights[i] == weights[order[0]]; })) {
+    std::vector<double> alike;
+    for (const std::size_t i : order) alike.push_back(observations[i]);
+    return empirical(alike);
+  }
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t i, std::size_t k) { return observations[i] < observations[k]; });
+  auto values = std::make_shared<std::vector<double>>();
+  auto cumulative = std::make_shared<std::vector<double>>();
+  double so_far = 0.0;
+  for (std::size_t n = 0; n < order.size(); ++n) {
+    if (n > 0) so_far += 0.5 * (weights[order[n - 1]] + weights[order[n]]);
+    values->push_back(observations[order[n]]);
+    cumulative->push_back(so_far);
+  }
+  if (std::isinf(so_far)) refuse("empirical", "sum of weights", so_far, "finite");
+  for (double& p : *cumulative) p /= so_far;
+  return Distribution(law::WeightedEmpirical{std::move(values), std::move(cumulative)});
+}
+
 double Distribution::quantile_open(double u) const {
   return std::visit(
       Overload{
@@ -268,6 +308,13 @@ double Distribution::quantile_open(double u) const {
             if (i + 1 == d.sorted->size()) return low;
             return low + (at - static_cast<double>(i)) * ((*d.sorted)[i + 1] - low);
           },
+          [u](const law::WeightedEmpirical& d) {
+            const std::vector<double>& p = *d.cumulative;
+            const std::vector<double>& x = *d.values;
+            // 0 = p[0] < u < 1 = p.back(), so there is a piece around u.
+            const auto i = static_cast<std::size_t>(std::lower_bound(p.begin(), p.end(), u) - p.begin());
+            return x[i - 1] + (u - p[i - 1]) / (p[i] - p[i - 1]) * (x[i] - x[i - 1]);
+          },
       },
       law_);
 }
@@ -297,6 +344,7 @@ double Distribution::quantile(double p) const {
           [upper](const law::Beta& d) { return upper ? d.high : d.low; },
           [upper](const law::Discrete& d) { return upper ? d.values->back() : d.values->front(); },
           [upper](const law::Empirical& d) { return upper ? d.sorted->back() : d.sorted->front(); },
+          [upper](const law::WeightedEmpirical& d) { return upper ? d.values->back() : d.values->front(); },
       },
       law_);
 }
@@ -329,6 +377,14 @@ double Distribution::mean() const {
                           const std::vector<double>& x = *d.sorted;
                           const double inner = std::accumulate(x.begin() + 1, x.end() - 1, 0.0);
                           return (inner + 0.5 * (x.front() + x.back())) / static_cast<double>(x.size() - 1);
+                        },
+                        [](const law::WeightedEmpirical& d) {
+                          const std::vector<double>& p = *d.cumulative;
+                          const std::vector<double>& x = *d.values;
+                          double sum = 0.0;
+                          for (std::size_t i = 0; i + 1 < x.size(); ++i)
+                            sum += (p[i + 1] - p[i]) * 0.5 * (x[i] + x[i + 1]);
+                          return sum;
                         },
                     },
                     law_);
@@ -380,6 +436,17 @@ double Distribution::variance() const {
               sum += (a * a + a * b + b * b) / 3.0;
             }
             return sum / static_cast<double>(d.sorted->size() - 1);
+          },
+          [this](const law::WeightedEmpirical& d) {
+            const std::vector<double>& p = *d.cumulative;
+            const double center = mean();
+            double sum = 0.0;
+            for (std::size_t i = 0; i + 1 < p.size(); ++i) {
+              const double a = (*d.values)[i] - center;
+              const double b = (*d.values)[i + 1] - center;
+              sum += (p[i + 1] - p[i]) * (a * a + a * b + b * b) / 3.0;
+            }
+            return sum;
           },
       },
       law_);
@@ -442,6 +509,15 @@ double Distribution::cdf(double x) const {
             const double i = static_cast<double>(above - sorted.begin()) - 1.0;
             return (i + (x - low) / (*above - low)) / static_cast<double>(sorted.size() - 1);
           },
+          [x](const law::WeightedEmpirical& d) {
+            const std::vector<double>& values = *d.values;
+            if (x < values.front()) return 0.0;
+            if (x >= values.back()) return 1.0;
+            const auto i =
+                static_cast<std::size_t>(std::upper_bound(values.begin(), values.end(), x) - values.begin());
+            const double below = (*d.cumulative)[i - 1];
+            return below + (x - values[i - 1]) / (values[i] - values[i - 1]) * ((*d.cumulative)[i] - below);
+          },
       },
       law_);
 }
@@ -457,47 +533,50 @@ std::string Distribution::describe() const {
     }
     return out + ")";
   };
-  return std::visit(Overload{
-                        [&](const law::Constant& d) {
-                          return text("constant", {{"value", d.value}});
-                        },
-                        [&](const law::Uniform& d) {
-                          return text("uniform", {{"low", d.low}, {"high", d.high}});
-                        },
-                        [&](const law::Triangular& d) {
-                          return text("triangular", {{"low", d.low}, {"mode", d.mode}, {"high", d.high}});
-                        },
-                        [&](const law::Exponential& d) {
-                          return text("exponential", {{"mean", d.mean}});
-                        },
-                        [&](const law::Gamma& d) {
-                          return text("gamma", {{"shape", d.shape}, {"scale", d.scale}});
-                        },
-                        [&](const law::Normal& d) {
-                          return text("normal", {{"mean", d.mean}, {"sd", d.sd}});
-                        },
-                        [&](const law::TruncatedNormal& d) {
-                          return text(
-                              "truncated_normal",
-                              {{"mean", d.mean}, {"sd", std::abs(d.sd)}, {"low", d.low}, {"high", d.high}});
-                        },
-                        [&](const law::Lognormal& d) {
-                          return text("lognormal", {{"log mean", d.log_mean}, {"log sd", d.log_sd}});
-                        },
-                        [&](const law::Weibull& d) {
-                          return text("weibull", {{"scale", d.scale}, {"shape", d.shape}});
-                        },
-                        [&](const law::Beta& d) {
-                          return text("beta", {{"a", d.a}, {"b", d.b}, {"low", d.low}, {"high", d.high}});
-                        },
-                        [&](const law::Discrete& d) {
-                          return text("discrete", {{"values", static_cast<double>(d.values->size())}});
-                        },
-                        [&](const law::Empirical& d) {
-                          return text("empirical", {{"observations", static_cast<double>(d.sorted->size())}});
-                        },
-                    },
-                    law_);
+  return std::visit(
+      Overload{
+          [&](const law::Constant& d) {
+            return text("constant", {{"value", d.value}});
+          },
+          [&](const law::Uniform& d) {
+            return text("uniform", {{"low", d.low}, {"high", d.high}});
+          },
+          [&](const law::Triangular& d) {
+            return text("triangular", {{"low", d.low}, {"mode", d.mode}, {"high", d.high}});
+          },
+          [&](const law::Exponential& d) {
+            return text("exponential", {{"mean", d.mean}});
+          },
+          [&](const law::Gamma& d) {
+            return text("gamma", {{"shape", d.shape}, {"scale", d.scale}});
+          },
+          [&](const law::Normal& d) {
+            return text("normal", {{"mean", d.mean}, {"sd", d.sd}});
+          },
+          [&](const law::TruncatedNormal& d) {
+            return text("truncated_normal",
+                        {{"mean", d.mean}, {"sd", std::abs(d.sd)}, {"low", d.low}, {"high", d.high}});
+          },
+          [&](const law::Lognormal& d) {
+            return text("lognormal", {{"log mean", d.log_mean}, {"log sd", d.log_sd}});
+          },
+          [&](const law::Weibull& d) {
+            return text("weibull", {{"scale", d.scale}, {"shape", d.shape}});
+          },
+          [&](const law::Beta& d) {
+            return text("beta", {{"a", d.a}, {"b", d.b}, {"low", d.low}, {"high", d.high}});
+          },
+          [&](const law::Discrete& d) {
+            return text("discrete", {{"values", static_cast<double>(d.values->size())}});
+          },
+          [&](const law::Empirical& d) {
+            return text("empirical", {{"observations", static_cast<double>(d.sorted->size())}});
+          },
+          [&](const law::WeightedEmpirical& d) {
+            return text("empirical", {{"weighted observations", static_cast<double>(d.values->size())}});
+          },
+      },
+      law_);
 }
 
 }  // namespace verstat::sim

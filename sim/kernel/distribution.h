@@ -51,8 +51,11 @@ struct Discrete {  // values ascending, cumulative probabilities ending in 1
 struct Empirical {  // piecewise linear through the sorted observations
   std::shared_ptr<const std::vector<double>> sorted;
 };
+struct WeightedEmpirical {  // values ascending, their cumulative probabilities from 0 to 1
+  std::shared_ptr<const std::vector<double>> values, cumulative;
+};
 using Any = std::variant<Constant, Uniform, Triangular, Exponential, Gamma, Normal, TruncatedNormal,
-                         Lognormal, Weibull, Beta, Discrete, Empirical>;
+                         Lognormal, Weibull, Beta, Discrete, Empirical, WeightedEmpirical>;
 
 }  // namespace detail::law
 
@@ -96,6 +99,10 @@ class Distribution {
   /// Continuous law through observations (at least 2): linear between the order statistics x_(i), where the
   /// cdf is (i - 1) / (n - 1) (Law, Simulation Modeling and Analysis, 5th ed., eq. 6.2 style).
   static Distribution empirical(const std::vector<double>& observations);
+  /// The same with a weight >= 0 for each observation, at least two of them above 0: between two neighbours
+  /// lies half the weight of each, evenly spread, and the whole is scaled to 1. Equal weights are the law
+  /// above.
+  static Distribution empirical(const std::vector<double>& observations, const std::vector<double>& weights);
 
   /// Draws one variate.
   [[nodiscard]] double sample(RandomStream& stream) const {

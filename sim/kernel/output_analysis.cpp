@@ -10,6 +10,7 @@
 
 #include "sim/kernel/engine.h"
 #include "sim/kernel/math_policy.h"
+#include "sim/kernel/normal_law.h"
 #include "sim/kernel/replications.h"
 
 namespace verstat::sim {
@@ -48,6 +49,17 @@ ConfidenceInterval paired_difference(std::span<const double> a, std::span<const 
   Tally differences;
   for (std::size_t i = 0; i < a.size(); ++i) differences.add(a[i] - b[i]);
   return confidence_interval(differences, confidence);
+}
+
+ProbabilityInterval wilson_interval(std::int64_t successes, std::int64_t trials, double confidence) {
+  if (trials < 1 || successes < 0 || successes > trials || !(confidence > 0 && confidence < 1))
+    throw std::invalid_argument("wilson_interval: 0 <= successes <= trials, trials >= 1, 0 < confidence < 1");
+  const double n = static_cast<double>(trials);
+  const double p = static_cast<double>(successes) / n;
+  const double z = detail::normal_quantile(0.5 * (1 + confidence));
+  const double middle = (p + z * z / (2 * n)) / (1 + z * z / n);
+  const double half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
+  return {successes == 0 ? 0 : middle - half, successes == trials ? 1 : middle + half};
 }
 
 Tally batch_means(std::span<const double> series, std::size_t batches) {

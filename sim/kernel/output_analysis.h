@@ -36,6 +36,18 @@ struct ConfidenceInterval {
 [[nodiscard]] ConfidenceInterval paired_difference(std::span<const double> a, std::span<const double> b,
                                                    double confidence = 0.95);
 
+/// Interval of a probability.
+struct ProbabilityInterval {
+  double low = 0.0;
+  double high = 1.0;
+};
+/// Wilson's score interval (J. Am. Stat. Assoc. 22 (1927) 209) of the probability of an event that came
+/// `successes` times in `trials` independent trials: within 0 and 1 and close to its confidence even when
+/// nothing or everything succeeds. 0 <= successes <= trials, trials >= 1, 0 < confidence < 1; else
+/// std::invalid_argument.
+[[nodiscard]] ProbabilityInterval wilson_interval(std::int64_t successes, std::int64_t trials,
+                                                  double confidence = 0.95);
+
 /// Splits a stationary series into `batches` >= 2 runs of equal length (what is left over at the start is
 /// dropped) and returns the tally of their means, from which confidence_interval follows.
 [[nodiscard]] Tally batch_means(std::span<const double> series, std::size_t batches);

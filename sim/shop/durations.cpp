@@ -26,6 +26,13 @@ sim::Distribution law_of(const scenarios::Duration& duration) {
     sim::Distribution operator()(const operations::WeibullDuration& d) const {
       return sim::Distribution::weibull_mean_cv(d.mean_min, d.cv);
     }
+    sim::Distribution operator()(const operations::EmpiricalDuration& d) const {
+      const std::vector<double> weights =
+          d.weights.empty() ? std::vector<double>(d.values_min.size(), 1.0) : d.weights;
+      return d.between == operations::BetweenValues::step
+                 ? sim::Distribution::discrete(d.values_min, weights)
+                 : sim::Distribution::empirical(d.values_min, weights);
+    }
   };
   return std::visit(Law{}, duration);
 }

@@ -47,17 +47,17 @@ class FittedInsert {
  private:
   void draw_life();
 
+  double wear_ = 0;
+  double life_ = 0;
+  std::int64_t edges_left_ = 0;  // besides the one in place
   const scenarios::Insert* insert_;
   LotSource* lots_;
+  double lot_factor_ = 1;  // of the mean life
+  double regrind_factor_ = 1;
   models::LifeLaw unit_life_;
   sim::RandomStream life_stream_;
   sim::RandomStream reserve_stream_;
   sim::RandomStream single_edge_stream_;
-  std::int64_t edges_left_ = 0;  // besides the one in place
-  double lot_factor_ = 1;        // of the mean life
-  double regrind_factor_ = 1;
-  double wear_ = 0;
-  double life_ = 0;
 };
 
 }  // namespace verstat::shop

@@ -99,13 +99,7 @@ void Shop::release_what_may(std::size_t part) {
 }
 
 void Shop::release_after_queue_change(std::size_t group) {
-  for (const auto& source : sources_) {
-    const auto& first = operations_[routes_[source->part].front().operation].on;
-    const bool starts_here = groups_[group]->spec->queue_capacity.has_value() &&
-                             std::any_of(first.begin(), first.end(),
-                                         [&](const PlannedOperation& on) { return on.group == group; });
-    if (source->watched_group == group || starts_here) release_what_may(source->part);
-  }
+  for (const std::size_t part : groups_[group]->releases) release_what_may(part);
 }
 
 // A queue that grows without end takes all memory long before it takes all events.
@@ -151,8 +145,7 @@ Job* Shop::new_unlimited_job(Group& group) {
     Job* job = new_job(part, batch);
     Source& source = *sources_[part];
     if (source.due_after) job->due_min = sim_.now() + source.due_after->sample(source.due_stream);
-    for (std::size_t g = 0; g < groups_.size(); ++g)
-      if (groups_[g].get() == &group) job->on_its_way_to = g;
+    job->on_its_way_to = group.index;
     return job;
   }
   return nullptr;
@@ -226,9 +219,8 @@ bool Shop::has_room(Place place, const Job& job) const {
            (store.level + store.on_their_way == 0);  // a batch larger than the store goes in alone
   }
   const Group& group = *groups_[place.group];
-  if (!group.spec->queue_capacity) return true;
   const auto taken = static_cast<std::int64_t>(group.queue.size()) + group.on_their_way;
-  return taken < *group.spec->queue_capacity + static_cast<std::int64_t>(group.idle.size());
+  return taken < group.queue_capacity + static_cast<std::int64_t>(group.idle.size());
 }
 
 void Shop::send(Job& job, std::size_t group) {
@@ -268,7 +260,7 @@ std::size_t Shop::best_waiting(const MachineUnit& machine) const {
       case Dispatch::fifo:
         return 0;
       case Dispatch::spt:
-        return planned(job).plan.main_time_min * static_cast<double>(job.quantity);
+        return planned(job).main_time_min * static_cast<double>(job.quantity);
       case Dispatch::edd:
         return job.due_min;
       case Dispatch::critical_ratio: {
@@ -310,12 +302,9 @@ Job* Shop::take_job(MachineUnit& machine) {
 
 // ----------------------------------------------------------------------------------------------- moving on
 Shop::Carrier* Shop::carrier_between(std::size_t from_group, Place to) {
-  const std::string& from = groups_[from_group]->spec->name;
-  const std::string& place =
-      to.store != route_end ? stores_[to.store]->spec->name : groups_[to.group]->spec->name;
   for (const auto& carrier : carriers_)
-    if ((carrier->spec->from == "*" || carrier->spec->from == from) &&
-        (carrier->spec->to == "*" || carrier->spec->to == place))
+    if (carrier->from_group[from_group] &&
+        (to.store != route_end ? carrier->to_store[to.store] : carrier->to_group[to.group]))
       return carrier.get();
   return nullptr;
 }
@@ -325,14 +314,15 @@ sim::Task<void> Shop::pass_on(MachineUnit& machine, Job& job) {
   const std::size_t next = choose_step(machine, job);
   Place to;
   if (next == route_end) {
-    for (std::size_t s = 0; s < stores_.size(); ++s)
-      if (stores_[s]->spec->name == scenario_.parts[job.part].store) to.store = s;
+    to.store = store_of_[job.part]->index;
   } else {
     to.group = choose_group(routes_[job.part][next].operation);
   }
   if (!has_room(to, job)) {
     job.enter(Phase::blocked, sim_.now());
     enter(machine, MachineState::blocked);
+    machine.waits_for = to;
+    look_for_standstill(machine);
     sim::Signal& room = to.store != route_end ? stores_[to.store]->room : groups_[to.group]->room;
     co_await room.wait_until([&] { return has_room(to, job); });
   }
@@ -356,6 +346,7 @@ sim::Task<void> Shop::pass_on(MachineUnit& machine, Job& job) {
     if (carrier->on_board >= conveyor->capacity) {
       job.enter(Phase::blocked, sim_.now());
       enter(machine, MachineState::blocked);
+      machine.waits_for = Place();
       co_await carrier->room.wait_until([&] { return carrier->on_board < conveyor->capacity; });
     }
     ++carrier->on_board;
@@ -376,9 +367,8 @@ sim::Task<void> Shop::carry(Job& job, Carrier& carrier, std::size_t from, Place 
   } else {
     const auto& vehicles = std::get<scenarios::Vehicles>(carrier.spec->carrier);
     Fleet& fleet = *carrier.fleet;
-    const std::size_t pick_up = *fleet.layout.find(groups_[from]->spec->name);
-    const std::size_t set_down = *fleet.layout.find(to.store != route_end ? stores_[to.store]->spec->name
-                                                                          : groups_[to.group]->spec->name);
+    const std::size_t pick_up = fleet.of_group[from];
+    const std::size_t set_down = to.store != route_end ? fleet.of_store[to.store] : fleet.of_group[to.group];
     co_await carrier.room.wait_until([&] {
       return std::any_of(fleet.vehicles.begin(), fleet.vehicles.end(), [](const auto& v) { return v.free; });
     });
@@ -413,15 +403,10 @@ sim::Task<void> Shop::carry(Job& job, Carrier& carrier, std::size_t from, Place 
 // stores
 bool Shop::take_components(std::size_t part, std::size_t step, std::int64_t quantity) {
   const auto& wanted = routes_[part][step].assembles;
-  const auto store_of = [&](std::size_t component) -> StoreUnit& {
-    const std::string& name = scenario_.parts[component].store;
-    return **std::find_if(stores_.begin(), stores_.end(),
-                          [&](const auto& s) { return s->spec->name == name; });
-  };
   for (const scenarios::RouteComponent& c : wanted)
-    if (store_of(c.part).parts[c.part] < c.count * quantity) return false;
+    if (store_of_[c.part]->parts[c.part] < c.count * quantity) return false;
   for (const scenarios::RouteComponent& c : wanted) {
-    StoreUnit& store = store_of(c.part);
+    StoreUnit& store = *store_of_[c.part];
     store.parts[c.part] -= c.count * quantity;
     store.level -= c.count * quantity;
     store.assembled += static_cast<std::uint64_t>(c.count * quantity);
@@ -451,8 +436,8 @@ void Shop::serve_assemblies() {
       group.queue_length.set(sim_.now(), static_cast<double>(group.queue.size()));
     }
   }
-  for (const auto& group : groups_)
-    while (!group->unlimited_parts.empty() && !group->idle.empty()) {
+  for (Group* group : assembling_groups_)
+    while (!group->idle.empty()) {
       Job* job = new_unlimited_job(*group);
       if (job == nullptr) break;
       MachineUnit* machine = group->idle.front();
@@ -462,9 +447,7 @@ void Shop::serve_assemblies() {
 }
 
 void Shop::store_parts(Job& job) {
-  const std::string& name = scenario_.parts[job.part].store;
-  StoreUnit& store =
-      **std::find_if(stores_.begin(), stores_.end(), [&](const auto& s) { return s->spec->name == name; });
+  StoreUnit& store = *store_of_[job.part];
   store.on_their_way -= job.quantity;
   store.parts[job.part] += job.quantity;
   store.level += job.quantity;

@@ -45,117 +45,6 @@ constexpr std::array<std::string_view, phases> phase_meanings = {
     "waiting for room at the next place",
     "under way"};
 
-bool has_tool(const scenarios::Scenario& scenario, const scenarios::Machine& machine) {
-  for (const scenarios::Operation& operation : scenario.operations) {
-    if (operation.tool.empty()) continue;
-    for (const std::size_t g : scenarios::groups_of(scenario, operation))
-      if (&scenario.machines[g] == &machine) return true;
-  }
-  return false;
-}
-
-bool off_line_tools(const scenarios::Scenario& scenario) {
-  return std::any_of(scenario.tools.begin(), scenario.tools.end(), scenarios::changed_off_line);
-}
-
-// Any place in the shop that can be full?
-bool can_block(const scenarios::Scenario& scenario) {
-  for (const scenarios::Machine& machine : scenario.machines)
-    if (machine.queue_capacity) return true;
-  for (const scenarios::Store& store : scenario.stores)
-    if (store.capacity) return true;
-  for (const scenarios::Transport& transport : scenario.transport)
-    if (std::holds_alternative<scenarios::Conveyor>(transport.carrier)) return true;
-  return false;
-}
-
-// States that cannot occur are left out of the results: a lathe without a calendar has no off-shift share.
-bool can_occur(const scenarios::Scenario& scenario, const scenarios::Machine& machine, MachineState state) {
-  const bool tool = has_tool(scenario, machine);
-  switch (state) {
-    case MachineState::cutting:
-    case MachineState::working:
-    case MachineState::idle:
-      return true;
-    case MachineState::planned_change:
-    case MachineState::failure_change:
-      return tool;
-    case MachineState::waiting_crew:
-      return tool || machine.attendance || (machine.setup && !machine.setup->crew.empty());
-    case MachineState::waiting_tool:
-      return tool;
-    case MachineState::tool_swap:
-      return tool && off_line_tools(scenario);
-    case MachineState::loading:
-      return machine.loading || machine.unloading;
-    case MachineState::setup:
-      return machine.setup.has_value();
-    case MachineState::repair:
-      return !machine.failures.empty() || machine.limits.safety_clutch;
-    case MachineState::maintenance:
-      return !machine.maintenance.empty();
-    case MachineState::waiting_repair:
-      return !machine.failures.empty() || !machine.maintenance.empty() || machine.limits.safety_clutch;
-    case MachineState::overload_reset:
-      return machine.limits.safety_clutch.has_value();
-    case MachineState::warm_up:
-    case MachineState::off:
-      return machine.switch_off.has_value();
-    case MachineState::blocked:
-      return can_block(scenario);
-    case MachineState::off_shift:
-      return !machine.calendar.empty();
-  }
-  return true;
-}
-
-// Headings under which this scenario can spend money.
-bool can_occur(const scenarios::Scenario& scenario, Cost cost) {
-  const auto any_machine = [&](auto&& predicate) {
-    for (const scenarios::Machine& machine : scenario.machines)
-      if (predicate(machine)) return true;
-    return false;
-  };
-  for (std::size_t s = 0; s < machine_states; ++s) {
-    const auto state = static_cast<MachineState>(s);
-    if (heading_of(state) == cost && cost != Cost::off)
-      return any_machine([&](const scenarios::Machine& m) { return can_occur(scenario, m, state); });
-  }
-  switch (cost) {
-    case Cost::tool_room:
-      return off_line_tools(scenario);
-    case Cost::elements:
-      return std::any_of(scenario.tools.begin(), scenario.tools.end(),
-                         [](const scenarios::Tool& tool) { return !tool.elements.empty(); });
-    case Cost::off:
-      return any_machine([](const scenarios::Machine& m) { return m.switch_off.has_value(); });
-    case Cost::transport:
-      return !scenario.transport.empty();
-    case Cost::spares:
-      return !scenario.spares.empty();
-    case Cost::operations:
-      for (const scenarios::Operation& operation : scenario.operations)
-        if (operation.cost > 0) return true;
-      return false;
-    case Cost::escapes:
-      for (const scenarios::PartType& part : scenario.parts)
-        if (part.escape_cost > 0) return true;
-      return false;
-    case Cost::tardiness:
-      for (const scenarios::PartType& part : scenario.parts)
-        if (part.tardiness_cost_per_min > 0) return true;
-      return false;
-    case Cost::lost_demand:
-      for (const scenarios::Store& store : scenario.stores)
-        if (store.demand_lost_cost > 0) return true;
-      return false;
-    case Cost::energy:
-      return scenario.energy_price_per_kwh > 0;
-    default:
-      return true;
-  }
-}
-
 bool has_due_dates(const scenarios::PartType& part) {
   return part.due_after || std::holds_alternative<scenarios::OrderList>(part.supply);
 }
@@ -182,11 +71,98 @@ std::string machine_name(const scenarios::Machine& machine, std::int64_t index) 
   return machine.count == 1 ? machine.name : fmt::format("{} {}", machine.name, index + 1);
 }
 
+// States that cannot occur are left out of the results: a lathe without a calendar has no off-shift share.
+bool Shop::can_occur(const Group& group, MachineState state) const {
+  const scenarios::Machine& machine = *group.spec;
+  switch (state) {
+    case MachineState::cutting:
+    case MachineState::working:
+    case MachineState::idle:
+      return true;
+    case MachineState::planned_change:
+    case MachineState::failure_change:
+      return group.has_tool;
+    case MachineState::waiting_crew:
+      return group.has_tool || machine.attendance || (machine.setup && !machine.setup->crew.empty());
+    case MachineState::waiting_tool:
+      return group.has_tool;
+    case MachineState::tool_swap:
+      return group.has_tool && has_off_line_tools_;
+    case MachineState::loading:
+      return machine.loading || machine.unloading;
+    case MachineState::setup:
+      return machine.setup.has_value();
+    case MachineState::repair:
+      return !machine.failures.empty() || machine.limits.safety_clutch;
+    case MachineState::maintenance:
+      return !machine.maintenance.empty();
+    case MachineState::waiting_repair:
+      return !machine.failures.empty() || !machine.maintenance.empty() || machine.limits.safety_clutch;
+    case MachineState::overload_reset:
+      return machine.limits.safety_clutch.has_value();
+    case MachineState::warm_up:
+    case MachineState::off:
+      return machine.switch_off.has_value();
+    case MachineState::blocked:
+      return can_block_;
+    case MachineState::off_shift:
+      return !machine.calendar.empty();
+  }
+  return true;
+}
+
+// Headings under which this scenario can spend money.
+bool Shop::can_occur(Cost cost) const {
+  const auto any_group = [&](auto&& predicate) {
+    return std::any_of(groups_.begin(), groups_.end(), [&](const auto& group) { return predicate(*group); });
+  };
+  for (std::size_t s = 0; s < machine_states; ++s) {
+    const auto state = static_cast<MachineState>(s);
+    if (heading_of(state) == cost && cost != Cost::off)
+      return any_group([&](const Group& group) { return can_occur(group, state); });
+  }
+  switch (cost) {
+    case Cost::tool_room:
+      return has_off_line_tools_;
+    case Cost::elements:
+      return std::any_of(scenario_.tools.begin(), scenario_.tools.end(),
+                         [](const scenarios::Tool& tool) { return !tool.elements.empty(); });
+    case Cost::off:
+      return any_group([](const Group& group) { return group.spec->switch_off.has_value(); });
+    case Cost::transport:
+      return !scenario_.transport.empty();
+    case Cost::spares:
+      return !scenario_.spares.empty();
+    case Cost::operations:
+      for (const scenarios::Operation& operation : scenario_.operations)
+        if (operation.cost > 0) return true;
+      return false;
+    case Cost::escapes:
+      for (const scenarios::PartType& part : scenario_.parts)
+        if (part.escape_cost > 0) return true;
+      return false;
+    case Cost::tardiness:
+      for (const scenarios::PartType& part : scenario_.parts)
+        if (part.tardiness_cost_per_min > 0) return true;
+      return false;
+    case Cost::lost_demand:
+      for (const scenarios::Store& store : scenario_.stores)
+        if (store.demand_lost_cost > 0) return true;
+      return false;
+    case Cost::energy:
+      return scenario_.energy_price_per_kwh > 0;
+    default:
+      return true;
+  }
+}
+
 void Shop::settle() {
   labour_->settle(sim_.now());
+  for (IntervalCount& weeks : weeks_of_insert_) weeks.close();
+  for (Grade& grade : grades_) grade.weeks.close();
   for (const auto& machine : machines_) {
     machine->clock.settle(sim_.now());
-    for (const auto& [name, tool] : machine->tools) {
+    for (const auto& tool : machine->tools) {
       tool->clock.settle(sim_.now());
       tool->stops.close();
       tool->changes.close();
@@ -203,7 +179,7 @@ void Shop::reset_counts() {
   for (PartCounts& part : parts_) part = PartCounts();
   for (const auto& machine : machines_) {
     machine->clock.reset(now);
-    for (const auto& [name, tool] : machine->tools) tool->clock.reset(now);
+    for (const auto& tool : machine->tools) tool->clock.reset(now);
     machine->parts_done = 0;
     machine->parts_rejected = 0;
     machine->planned_min = 0;
@@ -273,7 +249,7 @@ void Shop::shop_kpis(const KpiSink& sink) const {
   std::optional<double> per_good_part;
   for (std::size_t c = 0; c < cost_headings; ++c) {
     const double amount = costs_[static_cast<Cost>(c)];
-    if (!can_occur(scenario_, static_cast<Cost>(c))) continue;
+    if (!can_occur(static_cast<Cost>(c))) continue;
     if (const auto share = ratio(amount, finished)) per_part = per_part.value_or(0) + *share;
     if (const auto share = ratio(amount, good)) per_good_part = per_good_part.value_or(0) + *share;
   }
@@ -288,6 +264,13 @@ void Shop::shop_kpis(const KpiSink& sink) const {
        work_in_process_.mean(sim_.now()));
   sink(KpiInfo{"lead_time_min", "min", "mean time from the start or arrival of a part to its end"},
        ratio(lead_time_min, finished));
+  if (can_block_ || scenario_.crews.size() > 1) {
+    const double from_min = std::max(stands_since_min_.value_or(sim_.now()), scenario_.simulation.warmup_min);
+    sink(KpiInfo{"standstill_share", "1",
+                 "share of the time in which machines stand for good: they block each other or keep each "
+                 "other's people"},
+         ratio(sim_.now() - from_min, window_min()));
+  }
   const auto quantile = [&](double p) -> std::optional<double> {
     if (lead_times_.count() == 0) return std::nullopt;
     return lead_times_.quantile(p);
@@ -300,7 +283,7 @@ void Shop::shop_kpis(const KpiSink& sink) const {
          ratio(phase_min[k], finished));
   for (std::size_t c = 0; c < cost_headings; ++c) {
     const auto cost = static_cast<Cost>(c);
-    if (can_occur(scenario_, cost))
+    if (can_occur(cost))
       sink(KpiInfo{fmt::format("cost/{}", name_of(cost)), money + "/part",
                    fmt::format("{}, per part finished", meaning_of(cost))},
            ratio(costs_[cost], finished));
@@ -382,7 +365,7 @@ void Shop::machine_kpis(const KpiSink& sink) const {
     put("loss/start_up", "1", "share of the planned busy time: warming up", ratio(start_up_min, busy_min));
     for (std::size_t s = 0; s < machine_states; ++s) {
       const auto state = static_cast<MachineState>(s);
-      if (!can_occur(scenario_, spec, state)) continue;
+      if (!can_occur(*machine->group, state)) continue;
       sink(KpiInfo{fmt::format("machine/{}/state/{}", machine->name, name_of(state)), "1",
                    std::string(meaning_of(state))},
            ratio(time_in(state), window_min()));

@@ -83,15 +83,28 @@ std::size_t Labour::begin(std::size_t crew, const Call& call) {
   jobs_[index] = {.crew = crew,
                   .hands = hands_needed(crew, call.hands),
                   .heading = call.heading,
+                  .machine = call.machine,
                   .since_min = sim_->now(),
                   .active = true};
   crews_[crew].hands_in_use += jobs_[index].hands;
+  if (call.machine != nowhere) {
+    if (jobs_at_.size() <= call.machine) jobs_at_.resize(call.machine + 1);
+    ++jobs_at_[call.machine];
+  }
   return index;
 }
 
+bool Labour::present(std::size_t machine, const std::vector<std::size_t>& crews) const {
+  if (machine >= jobs_at_.size() || jobs_at_[machine] == 0) return false;
+  return std::any_of(jobs_.begin(), jobs_.end(), [&](const Job& job) {
+    return job.active && job.machine == machine &&
+           std::find(crews.begin(), crews.end(), job.crew) != crews.end();
+  });
+}
+
 sim::Task<CrewHold> Labour::call(const std::vector<std::size_t>& crews, std::int64_t priority, Cost heading,
-                                 Hands hands) {
-  Call call(*sim_, crews, priority, heading, hands);
+                                 Hands hands, std::size_t machine) {
+  Call call(*sim_, crews, priority, heading, hands, machine);
   // Whoever waits for the same people and is at least as urgent has been served already: serve() leaves
   // nobody waiting who could be served.
   CrewHold hold;
@@ -102,11 +115,47 @@ sim::Task<CrewHold> Labour::call(const std::vector<std::size_t>& crews, std::int
     const auto behind = std::find_if(waiting_.begin(), waiting_.end(),
                                      [&](const Call* other) { return other->priority > priority; });
     waiting_.insert(behind, &call);
+    if (on_standstill && machine != nowhere) look_for_standstill(call);
     job = co_await call.granted.wait();
   }
   hold.labour_ = this;
   hold.job_ = job;
   co_return hold;
+}
+
+// A call is answered one day when some crew has hands enough that are not kept by machines which wait in vain
+// themselves. Starting with all that wait, those are taken out until nothing changes; who is left waits for
+// good.
+void Labour::look_for_standstill(const Call& latest) const {
+  const auto kept_at = [&](std::size_t machine) {
+    return std::find_if(jobs_.begin(), jobs_.end(),
+                        [&](const Job& job) { return job.active && job.machine == machine; });
+  };
+  if (kept_at(latest.machine) == jobs_.end()) return;  // nobody waits for this machine's people
+  std::vector<const Call*> stuck(waiting_.begin(), waiting_.end());
+  const auto is_stuck = [&](std::size_t machine) {
+    return machine != nowhere && std::any_of(stuck.begin(), stuck.end(),
+                                             [&](const Call* call) { return call->machine == machine; });
+  };
+  const auto answered = [&](const Call* call) {
+    return std::any_of(call->crews->begin(), call->crews->end(), [&](std::size_t k) {
+      std::int64_t hands = crews_[k].spec->members * crews_[k].spec->machines_per_member;
+      for (const Job& job : jobs_)
+        if (job.active && job.crew == k && is_stuck(job.machine)) hands -= job.hands;
+      return hands >= hands_needed(k, call->hands);
+    });
+  };
+  while (true) {
+    const auto helped = std::find_if(stuck.begin(), stuck.end(), answered);
+    if (helped == stuck.end()) break;
+    stuck.erase(helped);
+  }
+  if (!is_stuck(latest.machine)) return;
+  std::vector<Wait> waits;
+  for (const Call* call : stuck)
+    if (const auto kept = kept_at(call->machine); call->machine != nowhere && kept != jobs_.end())
+      waits.push_back({call->machine, kept->crew, call->crews->front()});
+  on_standstill(waits);
 }
 
 void Labour::serve() {
@@ -136,6 +185,7 @@ void Labour::finish(std::size_t index) noexcept {
   Job& job = jobs_[index];
   book(job, sim_->now());
   job.active = false;
+  if (job.machine != nowhere) --jobs_at_[job.machine];
   crews_[job.crew].hands_in_use -= job.hands;
   free_jobs_.push_back(index);
   serve();

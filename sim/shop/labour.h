@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -51,10 +52,25 @@ class Labour {
   /// Crews that answer to the name of a crew or of a skill, in the order of the scenario.
   [[nodiscard]] std::vector<std::size_t> crews_for(const std::string& crew_or_skill) const;
 
+  /// Nobody's machine.
+  static constexpr std::size_t nowhere = static_cast<std::size_t>(-1);
   /// `auto hold = co_await labour.call(...)`; the wage is booked under `heading`. `crews` must outlive the
-  /// call.
+  /// call. `machine` is where they are wanted.
   [[nodiscard]] sim::Task<CrewHold> call(const std::vector<std::size_t>& crews, std::int64_t priority,
-                                         Cost heading, Hands hands = Hands::all);
+                                         Cost heading, Hands hands = Hands::all,
+                                         std::size_t machine = nowhere);
+
+  /// Whether a member of one of the crews is at the machine.
+  [[nodiscard]] bool present(std::size_t machine, const std::vector<std::size_t>& crews) const;
+
+  /// A machine that keeps a member of one crew while it waits for another.
+  struct Wait {
+    std::size_t machine;
+    std::size_t keeps;
+    std::size_t wants;
+  };
+  /// Set by the shop: told once when machines wait for people whom they keep from each other for good.
+  std::function<void(const std::vector<Wait>&)> on_standstill;
 
   /// Nobody is served any more: processes are ended in any order, and holds among them go out of scope.
   void close() noexcept { closed_ = true; }
@@ -79,18 +95,20 @@ class Labour {
   };
   struct Call {
     Call(sim::Simulation& sim, const std::vector<std::size_t>& asked, std::int64_t urgency, Cost cost,
-         Hands h)
-        : crews(&asked), priority(urgency), heading(cost), hands(h), granted(sim) {}
+         Hands h, std::size_t where)
+        : crews(&asked), priority(urgency), heading(cost), hands(h), machine(where), granted(sim) {}
     const std::vector<std::size_t>* crews;
     std::int64_t priority;
     Cost heading;
     Hands hands;
+    std::size_t machine;
     sim::Event<std::size_t> granted;  // number of the job
   };
   struct Job {
     std::size_t crew = 0;
     std::int64_t hands = 0;
     Cost heading = Cost::labour;
+    std::size_t machine = nowhere;
     double since_min = 0;
     bool active = false;
   };
@@ -101,6 +119,7 @@ class Labour {
   void book(Job& job, double now_min);
   void finish(std::size_t job) noexcept;
   void serve();
+  void look_for_standstill(const Call& latest) const;
 
   sim::Simulation* sim_;
   Costs* costs_;
@@ -108,7 +127,8 @@ class Labour {
   std::vector<Crew> crews_;
   std::vector<Job> jobs_;
   std::vector<std::size_t> free_jobs_;
-  std::deque<Call*> waiting_;  // by priority, then by time of the call
+  std::vector<std::int64_t> jobs_at_;  // by machine
+  std::deque<Call*> waiting_;          // by priority, then by time of the call
 };
 
 }  // namespace verstat::shop

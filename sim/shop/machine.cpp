@@ -104,7 +104,6 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
   CrewHold attending;
   if (attendance && attendance->during == Attendance::always) {
     attending = co_await call_crew(machine, group.attendance_crews, Cost::labour);
-    machine.attendant = attending.crew();
   }
   const std::size_t family = operations_[routes_[job.part][job.step].operation].family;
   if (group.spec->setup && machine.family != family) co_await set_up(machine, family);
@@ -123,18 +122,17 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
     if (group.unloading_time) co_await load(machine, true);
     machine.parts += 1;
     ++machine.parts_done;
-    machine.planned_min += operation.plan.main_time_min;
-    costs_.book(Cost::operations, operation.spec->cost);
+    machine.planned_min += operation.main_time_min;
+    costs_.book(Cost::operations, operation.cost);
     if (machine.part_spoiled)
       ++rejected;
     else if (leaves_defect(machine, operation))
       ++job.defects;
   }
-  machine.attendant.reset();
   attending.release();
 
   if (rejected > 0) reject(machine, job, rejected);
-  if ((operation.spec->inspection || operation.plan.detection) && job.quantity > 0) {
+  if (operation.inspects && job.quantity > 0) {
     const std::int64_t found = inspect(machine, operation, job);
     if (found > 0) reject(machine, job, found);
   }
@@ -176,14 +174,13 @@ sim::Task<void> Shop::load(MachineUnit& machine, bool unloading) {
 
 sim::Task<void> Shop::work_on_part(MachineUnit& machine, const PlannedOperation& operation) {
   const double main_time_min =
-      operation.time_law ? operation.time_law->sample(machine.duration_stream) : operation.plan.main_time_min;
-  const bool wears = operation.plan.edge.has_value() && !operation.spec->tool.empty();
-  if (wears || !operation.element_mean_min.empty()) {
-    MountedTool& tool = *machine.tools.at(operation.spec->tool);
+      operation.time_law ? operation.time_law->sample(machine.duration_stream) : operation.main_time_min;
+  if (operation.uses_tool) {
+    MountedTool& tool = *machine.tools[operation.tool_slot];
     co_await cut(machine, tool, operation, main_time_min);
-    if (wears && breaks(machine, operation)) {
+    if (operation.wears && breaks(machine, operation)) {
       if (tool.scrap_stream.uniform() < tool.spec->failure_scrap_probability) machine.part_spoiled = true;
-      co_await change_edge(machine, tool, true, operation.plan.edge->mean_min);
+      co_await change_edge(machine, tool, true, operation.mean_life_min);
       tool.clock.enter(MachineState::idle, sim_.now());
     }
     machine.part_wear = tool.body->largest_wear();
@@ -235,12 +232,12 @@ sim::Task<CrewHold> Shop::call_crew(MachineUnit& machine, const std::vector<std:
                                     std::int64_t priority, MachineState waiting, MountedTool* tool) {
   CrewHold hold;
   if (crews.empty()) co_return hold;
-  // Whoever stays with the machine does what is to be done, when it is their trade.
-  if (machine.attendant && std::find(crews.begin(), crews.end(), *machine.attendant) != crews.end())
-    co_return hold;
+  // Whoever is at the machine already does what is to be done, when it is their trade.
+  if (labour_->present(machine.index, crews)) co_return hold;
   enter(machine, waiting, tool);
   const bool tends = heading == Cost::labour;
-  hold = co_await labour_->call(crews, priority, heading, tends ? Labour::Hands::one : Labour::Hands::all);
+  hold = co_await labour_->call(crews, priority, heading, tends ? Labour::Hands::one : Labour::Hands::all,
+                                machine.index);
   const double walk_min = hold.walking_min();
   if (walk_min > 0) co_await sim_.delay(walk_min);
   co_return hold;

@@ -7,19 +7,16 @@ namespace verstat::shop {
 
 // Numbers are drawn only where there is a chance at all, from streams of their own.
 bool Shop::breaks(MachineUnit& machine, const PlannedOperation& operation) {
-  const double chance = operation.plan.breakage_probability;
-  return chance > 0 && machine.breakage_stream.uniform() < chance;
+  return operation.breaks > 0 && machine.breakage_stream.uniform() < operation.breaks;
 }
 
 bool Shop::spoils(MachineUnit& machine, const PlannedOperation& operation) {
-  double kept = 1 - operation.plan.scrap_probability;
-  if (operation.spec->quality) kept *= 1 - operation.spec->quality->scrap_probability;
-  return kept < 1 && machine.quality_stream.uniform() < 1 - kept;
+  return operation.spoils > 0 && machine.quality_stream.uniform() < operation.spoils;
 }
 
 bool Shop::leaves_defect(MachineUnit& machine, const PlannedOperation& operation) {
-  if (!operation.spec->quality) return false;
-  const scenarios::Quality& quality = *operation.spec->quality;
+  if (operation.quality == nullptr) return false;
+  const scenarios::Quality& quality = *operation.quality;
   const double worn = quality.defect_when_worn > 0
                           ? quality.defect_when_worn * std::pow(machine.part_wear, quality.wear_exponent)
                           : 0;

@@ -29,6 +29,29 @@ std::optional<std::size_t> RunResult::index_of(const std::string& kpi) const {
   return std::nullopt;
 }
 
+namespace {
+
+// Each replication gives Wilson's interval of its own unattended intervals; what the run tells comes from all
+// of them together, not from the mean of the bounds.
+void pool_unattended_intervals(RunResult& result) {
+  const auto sum_of = [&](std::size_t kpi) {
+    double sum = 0;
+    for (const auto& values : result.values) sum += values[kpi].value_or(0);
+    return static_cast<std::int64_t>(sum);
+  };
+  constexpr std::string_view first = "/unattended/intervals";  // then quiet, no_stop_low, no_stop_high
+  for (std::size_t k = 0; k + 3 < result.kpis.size(); ++k) {
+    if (!result.kpis[k].name.ends_with(first)) continue;
+    const std::int64_t intervals = sum_of(k);
+    if (intervals == 0) continue;
+    const auto sure = sim::wilson_interval(sum_of(k + 1), intervals);
+    result.estimates[k + 2] = {.mean = sure.low, .samples = intervals};
+    result.estimates[k + 3] = {.mean = sure.high, .samples = intervals};
+  }
+}
+
+}  // namespace
+
 RunResult run_scenario(const scenarios::Scenario& scenario, int threads, const Progress& progress,
                        Checks checks) {
   return run_replications(scenario, 0, scenario.simulation.replications, threads, progress, checks);
@@ -51,11 +74,12 @@ RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t fi
     std::uint64_t events;
     std::uint64_t event_order;
     std::vector<std::string> broken_laws;
+    std::string standstill;
   };
   const auto one = [&](std::size_t replication) {
     Shop shop(scenario, first + replication);
     if (checks == Checks::on) shop.watch_event_order();
-    Outcome outcome{shop.run(), shop.events_executed(), shop.event_order(), {}};
+    Outcome outcome{shop.run(), shop.events_executed(), shop.event_order(), {}, shop.standstill()};
     if (checks == Checks::on)
       for (const std::string& law : shop.audit())
         outcome.broken_laws.push_back(fmt::format("replication {}: {}", first + replication, law));
@@ -72,6 +96,9 @@ RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t fi
     result.events += outcome.events;
     event_order.add(outcome.event_order);
     for (std::string& law : outcome.broken_laws) result.broken_laws.push_back(std::move(law));
+    if (!outcome.standstill.empty())
+      result.standstills.push_back(
+          fmt::format("replication {}, {}", first + result.values.size(), outcome.standstill));
     result.values.push_back(std::move(outcome.values));
   }
   if (checks == Checks::on) result.event_order = event_order.value();
@@ -80,6 +107,7 @@ RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t fi
     for (std::size_t r = 0; r < replications; ++r) column[r] = result.values[r][k];
     result.estimates.push_back(estimate(column));
   }
+  pool_unattended_intervals(result);
   return result;
 }
 

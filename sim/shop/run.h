@@ -29,6 +29,8 @@ struct RunResult {
   std::optional<std::uint64_t> event_order = {};
   /// With Checks::on: laws of conservation that do not hold, in words. Empty when all is well.
   std::vector<std::string> broken_laws = {};
+  /// Machines that blocked each other for good: replication, time and who waits for whom.
+  std::vector<std::string> standstills = {};
 
   /// Index of the KPI with this name; none when there is none.
   [[nodiscard]] std::optional<std::size_t> index_of(const std::string& kpi) const;

@@ -10,6 +10,7 @@
 // as work in process; a stop that lasts beyond it is counted when it began, with the time it took so far.
 
 #include <cstdint>
+#include <deque>
 #include <memory>
 #include <optional>
 #include <string>
@@ -34,6 +35,7 @@
 #include "sim/shop/state_clock.h"
 #include "sim/shop/strategy.h"
 #include "sim/shop/tool_body.h"
+#include "sim/shop/unattended.h"
 
 namespace verstat::shop {
 
@@ -45,6 +47,8 @@ inline constexpr std::int64_t most_batches = 1'000'000;
 inline constexpr std::int64_t most_pieces = 1'000'000'000;
 /// More events while the clock stands still are no plan: durations of zero feed each other.
 inline constexpr std::uint64_t events_at_one_instant = 5'000'000;
+
+inline constexpr double week_min = 7 * 24 * 60;
 
 /// Everything counted since the end of the warm-up about one kind of tool.
 struct ToolCounts {
@@ -98,6 +102,8 @@ class Shop {
   /// Before run(): keep a fingerprint of which process went on when. Slower by about a half.
   void watch_event_order();
   [[nodiscard]] std::uint64_t event_order() const { return event_order_.value(); }
+  /// After run(): which machines blocked each other for good, and since when. Empty: none did.
+  [[nodiscard]] std::string standstill() const;
   /// After run(): laws of conservation that do not hold, in words. Empty when all is well.
   [[nodiscard]] std::vector<std::string> audit() const;
 
@@ -114,14 +120,30 @@ class Shop {
   struct Source;
   struct Carrier;
   struct Fleet;
+  struct Movement;  // standstill.cpp
+  /// An operation on one group of machines. What every part asks stands first, together: a large plant lives
+  /// or dies by the memory it touches.
   struct PlannedOperation {
-    const scenarios::Operation* spec;
+    PlannedOperation(const scenarios::Operation& operation, std::size_t on_group,
+                     operations::CutPlan cut_plan);
     std::size_t group;  // of the machines that do it
-    operations::CutPlan plan;
-    std::optional<sim::Distribution> time_law;
+    double main_time_min;
+    double cost;
+    double mean_life_min;             // of an edge; infinite: none is worn
+    double spoils;                    // chance that the process spoils a part
+    double breaks;                    // chance that the tool breaks in a part
+    std::size_t tool_slot = no_tool;  // among the tools of each machine of the group
+    bool uses_tool = false;
+    bool wears = false;
+    bool inspects;
+    const scenarios::Quality* quality;  // null: none
     /// Mean lives, min, of the elements that its tool has a service for; infinite: not worn.
     std::vector<double> element_mean_min;
+    std::optional<sim::Distribution> time_law;
+    const scenarios::Operation* spec;
+    operations::CutPlan plan;
   };
+  static constexpr std::size_t no_tool = static_cast<std::size_t>(-1);
   /// An operation with its plan on every group that can do it.
   struct OperationUnit {
     const scenarios::Operation* spec;
@@ -252,6 +274,10 @@ class Shop {
   void finish(Job& job);
   void count_lead_time(const Job& job, std::int64_t quantity);
 
+  // standstill.cpp
+  void look_for_standstill(const MachineUnit& blocked);
+  void note_standstill(const std::vector<Labour::Wait>& waits);
+
   // kpis.cpp, tool_kpis.cpp
   void simulate_until(double time_min);
   void reset_counts();
@@ -259,12 +285,15 @@ class Shop {
   void book_totals();
   /// Hands every KPI to the sink, in order: names and values stand together.
   void each_kpi(const KpiSink& sink) const;
+  [[nodiscard]] bool can_occur(const Group& group, MachineState state) const;
+  [[nodiscard]] bool can_occur(Cost cost) const;
   void shop_kpis(const KpiSink& sink) const;
   void machine_kpis(const KpiSink& sink) const;
   void part_kpis(const KpiSink& sink) const;
   /// `finished` parts in the counted time, good or scrapped.
   void tool_kpis(double finished, const KpiSink& sink) const;
   void insert_kpis(double finished, const KpiSink& sink) const;
+  [[nodiscard]] static std::optional<double> cycle_availability(const MountedTool& tool);
   void reset_tool_counts();
   /// Adds laws of edges, inserts and copies that do not hold.
   void audit_tools(std::vector<std::string>& broken) const;
@@ -292,15 +321,32 @@ class Shop {
   std::vector<std::unique_ptr<InsertCrib>> cribs_;  // one per insert; null: always enough
   std::vector<std::unique_ptr<ToolPool>> pools_;    // of copies
   std::vector<std::unique_ptr<MachineUnit>> machines_;
+  std::vector<std::vector<MountedTool*>> mounted_;  // by tool of the scenario, in the order of the machines
+  std::vector<std::vector<ToolPool*>> pools_of_;    // by tool of the scenario
   std::vector<std::unique_ptr<Spares>> spares_;
   std::vector<std::unique_ptr<StoreUnit>> stores_;
+  std::vector<StoreUnit*> store_of_;              // by part type
   std::vector<std::unique_ptr<Source>> sources_;  // one per part type
   std::vector<std::unique_ptr<Carrier>> carriers_;
   std::vector<ToolCounts> tools_;  // one per tool of the scenario
+  /// Inserts of one grade, whatever their shape.
+  struct Grade {
+    std::string name;
+    IntervalCount weeks;  // of inserts fitted
+  };
+  std::deque<Grade> grades_;           // by name
+  std::vector<Grade*> grade_of_tool_;  // null: no grade is given
+  std::vector<IntervalCount> weeks_of_insert_;
+  std::vector<std::size_t> insert_of_tool_;
   std::vector<PartCounts> parts_;  // one per part type
   std::vector<scenarios::Route> routes_;
   std::vector<std::vector<double>> work_left_min_;  // [part][step]: expected work on the rest of the route
   std::vector<Job*> waiting_for_components_;
+  std::vector<Group*> assembling_groups_;  // that start assemblies from blanks that are always available
+  bool can_block_ = false;                 // a place in the shop can be full
+  bool has_off_line_tools_ = false;
+  std::optional<double> stands_since_min_;
+  std::string standstill_;                  // who holds what for whom
   sim::TimeWeighted work_in_process_{0.0};  // parts in the shop
   sim::QuantileSketch lead_times_;
   std::uint64_t next_number_ = 0;

@@ -2,7 +2,7 @@
 // The inner parts of a Shop; nobody else includes this.
 
 #include <deque>
-#include <map>
+#include <limits>
 
 #include "scenarios/layout.h"
 #include "sim/kernel/arrivals.h"
@@ -14,14 +14,24 @@ namespace verstat::shop {
 
 // Identical machines share one queue of batches.
 struct Shop::Group {
-  Group(sim::Simulation& sim, const scenarios::Machine& machine) : spec(&machine), room(sim) {}
+  Group(sim::Simulation& sim, const scenarios::Machine& machine, std::size_t group_index)
+      : spec(&machine),
+        index(group_index),
+        queue_capacity(machine.queue_capacity.value_or(std::numeric_limits<std::int64_t>::max() / 2)),
+        room(sim) {}
   const scenarios::Machine* spec;
-  std::deque<Job*> queue;         // in order of arrival
-  std::deque<MachineUnit*> idle;  // machines that wait for work, who waits longest first
+  std::size_t index;
   std::int64_t on_their_way = 0;  // batches sent here that have not arrived: their room is taken
   std::int64_t in_work = 0;
+  std::int64_t queue_capacity;    // the largest number: none
+  std::deque<Job*> queue;         // in order of arrival
+  std::deque<MachineUnit*> idle;  // machines that wait for work, who waits longest first
+  std::vector<const MachineUnit*> machines;
   sim::Signal room;                          // the queue has become shorter
   std::vector<std::size_t> unlimited_parts;  // part types that are always available and start here
+  std::vector<std::size_t> releases;         // part types whose release waits for this queue to shorten
+  bool assembles_unlimited = false;          // one of the unlimited parts starts with an assembly
+  bool has_tool = false;
   std::size_t next_unlimited = 0;
   std::optional<scenarios::WorkingTime> working_time;
   std::optional<sim::Distribution> loading_time;
@@ -72,25 +82,26 @@ struct Shop::MountedTool {
   MountedTool(const scenarios::Scenario& scenario, std::size_t index, const scenarios::Insert& insert,
               const MachineUnit& machine, std::uint64_t replication);
   [[nodiscard]] ToolView view(double main_time_min) const;
+  // What every cut asks comes first.
   const scenarios::Tool* spec;
   const scenarios::Insert* insert_spec;
-  std::size_t index;    // in the scenario's tools
-  std::size_t machine;  // among all machines
+  std::size_t index;         // in the scenario's tools
+  std::size_t machine;       // among all machines
+  ToolBody* body = nullptr;  // in the machine
+  double mean_life_min = 0;  // of an edge in the operation before
+  std::unique_ptr<Strategy> strategy;
+  ToolPool* pool = nullptr;  // when copies are changed
+  std::vector<ElementUnit> elements;
+  StateClock clock;
+  double sign_share = 1;  // of its life from which an edge shows its wear
   std::vector<std::size_t> crews;
   std::vector<std::size_t> failure_crews;
   std::vector<std::size_t> presetting_crews;
   InsertCrib* crib = nullptr;      // null: there are always inserts
   std::unique_ptr<ToolBody> own;   // when edges are changed on the machine
-  ToolPool* pool = nullptr;        // when copies are
-  ToolBody* body = nullptr;        // in the machine
   const ToolBody* last = nullptr;  // that was in the machine before
-  std::unique_ptr<Strategy> strategy;
-  double sign_share = 1;     // of its life from which an edge shows its wear
-  double mean_life_min = 0;  // of an edge in the operation before
-  std::vector<ElementUnit> elements;
-  StateClock clock;
-  IntervalCount stops;    // of the machine that somebody has to come for, or that wait for a tool
-  IntervalCount changes;  // of the tool
+  IntervalCount stops;             // of the machine that somebody has to come for, or that wait for a tool
+  IntervalCount changes;           // of the tool
   sim::Distribution index_time;
   sim::Distribution replace_time;
   sim::Distribution swap_time;
@@ -151,31 +162,31 @@ struct Shop::MachineUnit {
   std::string name;
   Group* group;
   std::size_t index;  // among all machines
-  StateClock clock;
-  sim::Store<Job*> inbox;                                     // a batch handed over to an idle machine
-  std::map<std::string, std::unique_ptr<MountedTool>> tools;  // by name
-  bool has_joiners = false;                                   // a tool whose strategy uses other stops
   std::vector<std::unique_ptr<Stop>> stops;
-  Job* job = nullptr;                    // in work
-  std::optional<std::size_t> attendant;  // crew of whoever stays with the machine
-  bool part_spoiled = false;             // the part in work
-  double part_wear = 0;                  // of the edge after the part in work, in mean lives
-  bool standing_still = false;           // a stop is being dealt with
-  std::optional<std::size_t> family;
+  std::vector<std::unique_ptr<MountedTool>> tools;  // by name, the same on every machine of the group
+  Job* job = nullptr;                               // in work
+  bool has_joiners = false;                         // a tool whose strategy uses other stops
+  bool part_spoiled = false;                        // the part in work
+  bool standing_still = false;                      // a stop is being dealt with
+  double part_wear = 0;                             // of the edge after the part in work, in mean lives
   // Readings of the usage clocks.
   double operating_min = 0;
   double cutting_min = 0;
   double parts = 0;
   // Counted since the end of the warm-up.
   std::uint64_t parts_done = 0;
-  std::uint64_t parts_rejected = 0;
   double planned_min = 0;  // main time of the parts done, as planned
+  std::uint64_t active_periods = 0;
+  StateClock clock;
+  sim::Store<Job*> inbox;  // a batch handed over to an idle machine
+  std::optional<std::size_t> family;
+  Place waits_for;  // when it is blocked; nowhere: on a conveyor that is full
+  std::uint64_t parts_rejected = 0;
   std::uint64_t setups = 0;
   std::uint64_t failures = 0;
   std::uint64_t maintenance_jobs = 0;
   std::uint64_t overload_trips = 0;
   std::uint64_t overload_breaks = 0;
-  std::uint64_t active_periods = 0;
   sim::RandomStream duration_stream;
   sim::RandomStream breakage_stream;
   sim::RandomStream quality_stream;
@@ -208,8 +219,10 @@ struct Shop::Spares {
 };
 
 struct Shop::StoreUnit {
-  StoreUnit(const scenarios::Store& store, sim::Simulation& sim) : spec(&store), room(sim) {}
+  StoreUnit(const scenarios::Store& store, std::size_t store_index, sim::Simulation& sim)
+      : spec(&store), index(store_index), room(sim) {}
   const scenarios::Store* spec;
+  std::size_t index;
   std::vector<std::int64_t> parts;  // by part type
   std::vector<std::size_t> kinds;   // part types that are kept here
   std::int64_t level = 0;
@@ -258,6 +271,9 @@ struct Shop::Fleet {
   std::vector<Vehicle> vehicles = {};
   scenarios::Layout layout;
   std::vector<std::size_t> crews = {};
+  // Places of the layout where machine groups and stores stand; no place: route_end.
+  std::vector<std::size_t> of_group = {};
+  std::vector<std::size_t> of_store = {};
 };
 
 struct Shop::Carrier {
@@ -265,6 +281,10 @@ struct Shop::Carrier {
           std::uint64_t replication)
       : spec(&transport), room(sim), stream(seed, transport.name, "transport time", replication) {}
   const scenarios::Transport* spec;
+  // Whether it serves moves from a group, to a group and to a store.
+  std::vector<bool> from_group = {};
+  std::vector<bool> to_group = {};
+  std::vector<bool> to_store = {};
   std::optional<sim::Distribution> time;
   std::int64_t on_board = 0;
   sim::Signal room;  // of a conveyor; a vehicle that has become free

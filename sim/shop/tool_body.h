@@ -74,12 +74,12 @@ class ToolBody {
  private:
   void share_load();
 
-  std::optional<scenarios::ReplaceAtFailedTeeth> mill_;
   std::vector<Tooth> teeth_;
   std::int64_t failed_ = 0;
   double feed_factor_ = 1;
   double age_ = 0;
   double wear_since_plan_ = 0;
+  std::optional<scenarios::ReplaceAtFailedTeeth> mill_;
 };
 
 }  // namespace verstat::shop

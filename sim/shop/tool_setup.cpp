@@ -2,21 +2,14 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <map>
+#include <set>
 
 #include <fmt/format.h>
 
 #include "sim/shop/shop_parts.h"
 
 namespace verstat::shop {
-
-namespace {
-
-template <class T>
-std::size_t position_of(const std::vector<T>& all, const std::string& name) {
-  return static_cast<std::size_t>(scenarios::find_named(all, name) - all.data());
-}
-
-}  // namespace
 
 Shop::ElementUnit::ElementUnit(const scenarios::ElementService& service,
                                const operations::ElementLife& element, std::uint64_t seed,
@@ -89,9 +82,25 @@ void Shop::build_tools() {
   lots_.push_back(nullptr);
   cribs_.push_back(nullptr);
 
+  mounted_.resize(scenario_.tools.size());
+  pools_of_.resize(scenario_.tools.size());
+  has_off_line_tools_ =
+      std::any_of(scenario_.tools.begin(), scenario_.tools.end(), scenarios::changed_off_line);
   const auto insert_of = [&](const scenarios::Tool& tool) {
-    return tool.insert.empty() ? inserts_.size() - 1 : position_of(scenario_.inserts, tool.insert);
+    return tool.insert.empty() ? inserts_.size() - 1 : scenarios::index_of(scenario_.inserts, tool.insert);
   };
+  weeks_of_insert_.resize(inserts_.size());
+  std::set<std::string> grades;
+  for (const scenarios::Insert& insert : scenario_.inserts)
+    if (!insert.grade.empty()) grades.insert(insert.grade);
+  for (const std::string& grade : grades) grades_.push_back({grade, {}});
+  for (const scenarios::Tool& tool : scenario_.tools) {
+    insert_of_tool_.push_back(insert_of(tool));
+    const auto grade = std::find_if(grades_.begin(), grades_.end(), [&](const Grade& g) {
+      return g.name == inserts_[insert_of_tool_.back()].grade;
+    });
+    grade_of_tool_.push_back(grade == grades_.end() ? nullptr : &*grade);
+  }
   const auto body_of = [&](const scenarios::Tool& tool, const std::string& entity) {
     const std::size_t insert = insert_of(tool);
     return std::make_unique<ToolBody>(tool, inserts_[insert], lots_[insert].get(), seed, entity,
@@ -106,6 +115,7 @@ void Shop::build_tools() {
       pool->ready.try_put(pool->copies.back().get());
     }
     pools_.push_back(std::move(pool));
+    pools_of_[index].push_back(pools_.back().get());
     return pools_.back().get();
   };
   std::map<std::size_t, ToolPool*> shared;
@@ -141,7 +151,8 @@ void Shop::build_tools() {
             life = &element;
       mounted->elements.emplace_back(service, *life, seed, entity, replication_);
     }
-    machine.tools[tool.name] = std::move(mounted);
+    mounted_[index].push_back(mounted.get());
+    machine.tools.push_back(std::move(mounted));
   };
 
   for (OperationUnit& operation : operations_) {
@@ -154,24 +165,43 @@ void Shop::build_tools() {
           if (services[k].element == element.element) on.element_mean_min[k] = element.mean_min;
     }
   }
-  for (const auto& machine : machines_)
-    for (const OperationUnit& operation : operations_) {
-      const std::string& name = operation.spec->tool;
-      const auto here = [&](const PlannedOperation& on) { return groups_[on.group].get() == machine->group; };
-      if (name.empty() || std::none_of(operation.on.begin(), operation.on.end(), here)) continue;
-      if (!machine->tools.contains(name)) mount(*machine, position_of(scenario_.tools, name));
+  // Tools of each group by name, and where each operation finds its own.
+  std::vector<std::vector<std::size_t>> held(groups_.size());
+  for (OperationUnit& operation : operations_) {
+    if (operation.spec->tool.empty()) continue;
+    const std::size_t tool = scenarios::index_of(scenario_.tools, operation.spec->tool);
+    for (PlannedOperation& on : operation.on) {
+      on.tool_slot = tool;  // replaced by the place among the tools of the group
+      auto& tools = held[on.group];
+      if (std::find(tools.begin(), tools.end(), tool) == tools.end()) tools.push_back(tool);
     }
+  }
+  for (auto& tools : held)
+    std::sort(tools.begin(), tools.end(), [&](std::size_t a, std::size_t b) {
+      return scenario_.tools[a].name < scenario_.tools[b].name;
+    });
+  for (OperationUnit& operation : operations_)
+    for (PlannedOperation& on : operation.on) {
+      const auto& tools = held[on.group];
+      if (on.tool_slot != no_tool)
+        on.tool_slot =
+            static_cast<std::size_t>(std::find(tools.begin(), tools.end(), on.tool_slot) - tools.begin());
+      on.uses_tool = on.wears || !on.element_mean_min.empty();
+    }
+  for (const auto& machine : machines_) {
+    const auto& tools = held[machine->group->index];
+    machine->group->has_tool = !tools.empty();
+    for (const std::size_t tool : tools) mount(*machine, tool);
+  }
   reset_tool_counts();
 }
 
 std::int64_t Shop::edges_in_tools(std::size_t tool) const {
   std::int64_t edges = 0;
-  for (const auto& machine : machines_)
-    for (const auto& [name, mounted] : machine->tools)
-      if (mounted->index == tool && mounted->own) edges += mounted->own->edges_held();
-  for (const auto& pool : pools_)
-    if (pool->tool == tool)
-      for (const auto& copy : pool->copies) edges += copy->edges_held();
+  for (const MountedTool* mounted : mounted_[tool])
+    if (mounted->own) edges += mounted->own->edges_held();
+  for (const ToolPool* pool : pools_of_[tool])
+    for (const auto& copy : pool->copies) edges += copy->edges_held();
   return edges;
 }
 
@@ -198,7 +228,7 @@ void Shop::audit_tools(std::vector<std::string>& broken) const {
   for (const auto& pool : pools_) {
     std::size_t mounted = 0;
     for (const auto& machine : machines_)
-      for (const auto& [name, tool] : machine->tools)
+      for (const auto& tool : machine->tools)
         if (tool->pool == pool.get() && tool->body != nullptr) ++mounted;
     if (pool->ready.size() + mounted + pool->in_tool_room != pool->copies.size())
       broken.push_back(fmt::format("tool \"{}\": {} copies, {} ready + {} in machines + {} in the tool room",
@@ -206,12 +236,12 @@ void Shop::audit_tools(std::vector<std::string>& broken) const {
                                    mounted, pool->in_tool_room));
   }
   for (const auto& machine : machines_)
-    for (const auto& [name, tool] : machine->tools) {
+    for (const auto& tool : machine->tools) {
       double sum_min = 0;
       for (std::size_t s = 0; s < machine_states; ++s)
         sum_min += tool->clock.time_min(static_cast<MachineState>(s));
       if (std::abs(sum_min - window_min()) > 1e-9 * scenario_.simulation.horizon_min)
-        broken.push_back(fmt::format("tool \"{}\" on \"{}\": states add up to {} of {} min", name,
+        broken.push_back(fmt::format("tool \"{}\" on \"{}\": states add up to {} of {} min", tool->spec->name,
                                      machine->name, sum_min, window_min()));
     }
 }
@@ -220,7 +250,7 @@ void Shop::reset_tool_counts() {
   for (std::size_t t = 0; t < tools_.size(); ++t) tools_[t] = ToolCounts{.edges_at_start = edges_in_tools(t)};
   const double end_min = scenario_.simulation.horizon_min;
   for (const auto& machine : machines_)
-    for (const auto& [name, tool] : machine->tools) {
+    for (const auto& tool : machine->tools) {
       tool->stops.restart(sim_.now(), end_min, scenario_.simulation.unattended_min);
       tool->changes.restart(sim_.now(), end_min, scenario_.simulation.unattended_min);
       for (ElementUnit& element : tool->elements) {
@@ -228,6 +258,8 @@ void Shop::reset_tool_counts() {
         element.use_min_sum = 0;
       }
     }
+  for (IntervalCount& weeks : weeks_of_insert_) weeks.restart(sim_.now(), end_min, week_min);
+  for (Grade& grade : grades_) grade.weeks.restart(sim_.now(), end_min, week_min);
   for (const auto& lots : lots_)
     if (lots) lots->reset_counts();
   for (const auto& crib : cribs_)

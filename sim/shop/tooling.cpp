@@ -26,8 +26,8 @@ struct NextStop {
 // the end of the cut; what falls due with the end of a part is done before the next one.
 sim::Task<void> Shop::cut(MachineUnit& machine, MountedTool& tool, const PlannedOperation& operation,
                           double main_time_min) {
-  const bool wears = operation.plan.edge.has_value();
-  const double mean_life_min = wears ? operation.plan.edge->mean_min : never;
+  const bool wears = operation.wears;
+  const double mean_life_min = operation.mean_life_min;
   tool.mean_life_min = mean_life_min;
   if (tool.body == nullptr) co_await fetch_tool(machine, tool);
   if (const auto* watch = std::get_if<scenarios::ConditionBased>(&tool.spec->strategy);
@@ -135,7 +135,7 @@ sim::Task<void> Shop::change_on_machine(MachineUnit& machine, MountedTool& tool,
 
 sim::Task<void> Shop::join_stop(MachineUnit& machine, const MountedTool* in_hand,
                                 const std::vector<std::size_t>* present) {
-  for (const auto& [name, other] : machine.tools) {
+  for (const auto& other : machine.tools) {
     if (other.get() == in_hand || other->body == nullptr || other->pool != nullptr) continue;
     if (!other->strategy->joins_stop(other->view(0))) continue;
     ++tools_[other->index].joined_changes;
@@ -192,6 +192,8 @@ double Shop::renew_teeth(MountedTool& tool, ToolBody& body, bool after_failure, 
       counts.edges_discarded += unused;  // a failure broke them
       counts.edges_fitted += insert.fit_new();
       ++counts.inserts_fitted;
+      weeks_of_insert_[insert_of_tool_[tool.index]].add(sim_.now());
+      if (grade_of_tool_[tool.index] != nullptr) grade_of_tool_[tool.index]->weeks.add(sim_.now());
       if (tool.spec->insert_booking == scenarios::InsertBooking::at_fitting)
         costs_.book(Cost::inserts, tool.insert_spec->price);
     }

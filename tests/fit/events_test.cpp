@@ -1,15 +1,18 @@
 // Downtime, arrivals, cycles: trend before renewal, the right clock, laws or the observations themselves.
+#include <chrono>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
 
 #include <catch2/catch.hpp>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
 #include "fit/arrival_log.h"
 #include "fit/cycle_log.h"
 #include "fit/downtime_log.h"
 #include "fit/duration_fit.h"
+#include "fit/event_report.h"
 #include "fit/fit_error.h"
 #include "models/math/normal.h"
 #include "scenarios/json_text.h"
@@ -170,11 +173,47 @@ TEST_CASE("cycle times of two kinds of part: no law, the quantiles stand", "[fit
   CHECK(fit.quantiles[50] == Approx(2).margin(0.2));
   CHECK(fit.quantiles[90] == Approx(5).margin(0.2));
   CHECK(fit.largest_gap > 0.1);
+  // A scenario then gets the observations themselves.
+  const ScenarioDuration written = duration_of(fit);
+  CHECK(written.law == "empirical");
+  REQUIRE(written.value["values_min"].size() == 200);
+  CHECK_FALSE(written.value.contains("weights"));
+  CHECK(written.value["values_min"][0] == fit.least);
   // Always the same.
   const DurationFit same = fit_durations({exact_life(3), exact_life(3)}, 99, 1);
   CHECK(same.constant);
   CHECK(same.laws.empty());
   CHECK_THROWS_AS(fit_durations({exact_life(3)}, 99, 1), FitError);
+}
+
+TEST_CASE("observations as a duration: counts, unfinished times, and quantiles of very many", "[fit]") {
+  // Three of five seen once, one twice.
+  const DurationFit counted =
+      fit_durations({exact_life(4), exact_life(2), exact_life(4), exact_life(9), exact_life(5)}, 39, 1);
+  const auto written = duration_of(counted, Written::observations);
+  CHECK(written.value["values_min"] == nlohmann::json({2, 4, 5, 9}));
+  CHECK(written.value["weights"] == nlohmann::json({1, 2, 1, 1}));
+  // Kaplan-Meier by hand: 2 of 4 (1/4), then 1 of 2 at risk at 6 (3/8); the unfinished one at 8 leaves 3/8
+  // to 6.
+  const DurationFit unfinished =
+      fit_durations({exact_life(2), survived(3), exact_life(6), survived(8)}, 39, 1);
+  CHECK(unfinished.distinct == std::vector<double>({2, 6}));
+  CHECK(unfinished.weights[0] == Approx(0.25));
+  CHECK(unfinished.weights[1] == Approx(0.75));
+  CHECK(unfinished.weight_beyond == Approx(0.375));
+  // More different values than a scenario wants to carry: the same distribution by its quantiles.
+  std::vector<Observation> many;
+  RandomStream stream(31, "operation", "many");
+  for (int k = 0; k < 5000; ++k) many.push_back(exact_life(stream.uniform(1, 3)));
+  const DurationFit fit = fit_durations(many, 39, 1);
+  const auto quantiles = duration_of(fit, Written::observations);
+  REQUIRE(quantiles.value["values_min"].size() == 1001);
+  CHECK(quantiles.value["values_min"][0] == fit.least);
+  CHECK(quantiles.value["values_min"][1000] == Approx(fit.most).epsilon(1e-12));
+  for (const int q : {100, 500, 900})
+    CHECK(quantiles.value["values_min"][static_cast<std::size_t>(q)] ==
+          Approx(1 + 2 * q / 1000.0).margin(0.05));
+  CHECK(duration_of(fit_durations({exact_life(3), exact_life(3)}, 39, 1)).law == "constant");
 }
 
 TEST_CASE("arrivals: Poisson in the day shift is seen as such", "[fit]") {
@@ -212,6 +251,53 @@ TEST_CASE("arrivals: Poisson in the day shift is seen as such", "[fit]") {
   CHECK(fit.values == log.between.size());
   const File mixed("Date;Quantity\n2027-02-01;1\n17;1\n18;1\n19;2\n");
   CHECK_THROWS_WITH(read_arrivals(mixed.path(), {}, 0.95), Contains("cannot be one time axis"));
+}
+
+TEST_CASE("a known profile of the week comes back as a weekly profile", "[fit]") {
+  // 2 an hour in the morning, 4 after noon, Fridays half of it, nothing at night and at weekends; 28 weeks.
+  const auto rate = [](int weekday, int hour) {
+    if (weekday > 4 || hour < 8 || hour >= 16) return 0.0;
+    return (hour < 12 ? 2.0 : 4.0) * (weekday == 4 ? 0.5 : 1.0);
+  };
+  RandomStream stream(37, "orders", "profile");
+  std::string text = "Date\n";
+  const auto two = [](int x) { return (x < 10 ? "0" : "") + std::to_string(x); };
+  for (int day = 0; day < 7 * 28; ++day)
+    for (int hour = 8; hour < 16; ++hour) {
+      if (!(rate(day % 7, hour) > 0)) continue;
+      for (double t = stream.exponential(60 / rate(day % 7, hour)); t < 60;
+           t += stream.exponential(60 / rate(day % 7, hour))) {
+        // 1 February 2027 is a Monday.
+        const std::chrono::sys_days date =
+            std::chrono::sys_days(std::chrono::year(2027) / 2 / 1) + std::chrono::days(day);
+        const std::chrono::year_month_day ymd(date);
+        text += std::to_string(static_cast<int>(ymd.year())) + "-" +
+                two(static_cast<int>(static_cast<unsigned>(ymd.month()))) + "-" +
+                two(static_cast<int>(static_cast<unsigned>(ymd.day()))) + " " + two(hour) + ":" +
+                two(static_cast<int>(t)) + "\n";
+      }
+    }
+  const File file(text);
+  const ArrivalLog log = read_arrivals(file.path(), {}, 0.95);
+  EventReportOptions options;
+  options.goodness_samples = 19;
+  const Report report =
+      report_arrivals(log, options, SupplyForm::profile, "/parts/0/supply", "orders", {.file = "orders.csv"});
+  REQUIRE(report.changes.size() == 1);
+  const auto& supply = report.changes[0].value;
+  CHECK(supply["kind"] == "weekly_profile");
+  std::vector<double> per_h(168, 0.0);
+  for (const auto& period : supply["rates"])
+    for (int hour = period["from_h"]; hour < period["to_h"]; ++hour)
+      per_h[static_cast<std::size_t>(hour)] = period["per_h"];
+  // Arrivals within one minute are one arrival: 60 (1 - exp(-rate / 60)) are seen.
+  for (int hour = 0; hour < 168; ++hour) {
+    INFO(hour);
+    const double truth = 60 * -std::expm1(-rate(hour / 24, hour % 24) / 60);
+    CHECK(per_h[static_cast<std::size_t>(hour)] == Approx(truth).epsilon(0.2));
+  }
+  REQUIRE(report.library.size() == 1);
+  CHECK(report.library[0].kind == "supply");
 }
 
 TEST_CASE("working time: a shift from Monday to Friday", "[fit]") {

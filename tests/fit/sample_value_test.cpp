@@ -120,3 +120,65 @@ TEST_CASE("two like tools, few edges: more edges help, and never more than the t
   CHECK(many.wrong_chance < 0.25);
   CHECK(value_of_sample(groups, plans, 3, 200, 3).value == value_of_sample(groups, plans, 3, 200, 3).value);
 }
+
+TEST_CASE("the value of one and of two new edges is that of integrating over what they may show", "[fit]") {
+  // Two laws are possible, 0.45 and 0.55; edges that last 70 min are taken out. Plan A costs 1 whatever the
+  // law, plan B depends on it. Nothing is simulated on this side: the loss is integrated over the lives seen.
+  const std::vector<WeibullDraw> laws = {{40, 1.5}, {75, 2.5}};
+  const std::vector<double> chance = {0.45, 0.55};
+  const std::vector<double> cost_b = {1.3, 0.8};
+  constexpr double taken_out = 70;
+  const auto density = [&](std::size_t h, double t) {
+    const double x = std::pow(t / laws[h].scale, laws[h].shape);
+    return laws[h].shape / t * x * std::exp(-x);
+  };
+  const auto good = [&](std::size_t h) {
+    return std::exp(-std::pow(taken_out / laws[h].scale, laws[h].shape));
+  };
+  // The cheaper plan, times the probability of what was seen under each law.
+  const auto least = [&](double seen_0, double seen_1) {
+    const double w0 = chance[0] * seen_0;
+    const double w1 = chance[1] * seen_1;
+    return std::min(w0 + w1, w0 * cost_b[0] + w1 * cost_b[1]);
+  };
+  const double now = least(1, 1);
+  constexpr int steps = 2000;
+  std::vector<double> f0;
+  std::vector<double> f1;
+  for (int k = 0; k < steps; ++k) {
+    const double t = (k + 0.5) * taken_out / steps;
+    f0.push_back(density(0, t) * taken_out / steps);
+    f1.push_back(density(1, t) * taken_out / steps);
+  }
+  f0.push_back(good(0));  // still good when taken out
+  f1.push_back(good(1));
+  double after_one = 0;
+  double after_two = 0;
+  for (std::size_t i = 0; i < f0.size(); ++i) {
+    after_one += least(f0[i], f1[i]);
+    for (std::size_t k = 0; k < f0.size(); ++k) after_two += least(f0[i] * f0[k], f1[i] * f1[k]);
+  }
+  // The same by simulation; every law stands many times, so that leaving out the truth leaves its like.
+  constexpr std::size_t draws = 1000;
+  std::vector<WeibullDraw> unknown;
+  std::vector<double> costs;
+  for (std::size_t d = 0; d < draws; ++d) {
+    const std::size_t h = d < 450 ? 0 : 1;
+    unknown.push_back(laws[h]);
+    costs.push_back(cost_b[h]);
+  }
+  const std::vector<UnknownGroup> groups = {weibull_group("t", unknown, taken_out)};
+  const std::vector<PlanCosts> plans = {{"a", 0, std::vector<double>(draws, 1.0)}, {"b", 0, costs}};
+  const double brute_one = now - after_one;
+  const double brute_two = now - after_two;
+  CHECK(brute_one > 0);
+  CHECK(brute_two > brute_one);
+  const SampleValue one = value_of_sample(groups, plans, 1, 20'000, 1);
+  const SampleValue two = value_of_sample(groups, plans, 2, 20'000, 1);
+  INFO(one.value << " +- " << one.standard_error << " of " << brute_one << ", " << two.value << " +- "
+                 << two.standard_error << " of " << brute_two);
+  CHECK(std::abs(one.value - brute_one) < 3.5 * one.standard_error);
+  CHECK(std::abs(two.value - brute_two) < 3.5 * two.standard_error);
+  CHECK(one.standard_error < 0.05 * brute_one);
+  CHECK(two.standard_error < 0.05 * brute_two);
+}

@@ -34,66 +34,53 @@ struct Share {
 
 }  // namespace
 
-TEST_CASE("Weibull lives under planned changes: no bias, and intervals that cover in 93 to 97 %", "[fit]") {
-  const FittedLaw truth{.family = LifeFamily::weibull, .first = 60, .second = 1.6};
-  const double t_90 = truth.gamma_percent_life(0.9);
-  Share scale, shape, mean, gamma_life;
-  double log_scale = 0;
-  double log_shape = 0;
-  constexpr int repeats = 1000;
-  for (int k = 0; k < repeats; ++k) {
-    RandomStream stream(7, "edges", "weibull", static_cast<std::uint64_t>(k));
-    const std::vector<Observation> lives = draw(truth, 60, 70, stream);  // about 28 % are still good
-    const FittedLaw fit = fit_law(LifeFamily::weibull, lives);
-    log_scale += std::log(fit.first / truth.first) / repeats;
-    log_shape += std::log(fit.second / truth.second) / repeats;
-    const auto covers = [&](LifeQuantity quantity, double value, double p = 0.5) {
-      const Interval b = life_bounds(fit, lives, quantity, 0.95, p);
-      return b.low <= value && value <= b.high;
-    };
-    scale.add(covers(LifeQuantity::first, truth.first));
-    shape.add(covers(LifeQuantity::second, truth.second));
-    gamma_life.add(covers(LifeQuantity::quantile, t_90, 0.1));
-    if (k % 5 == 0) mean.add(covers(LifeQuantity::mean, truth.mean()));
-  }
-  INFO("coverage " << scale.value() << " " << shape.value() << " " << gamma_life.value() << " "
-                   << mean.value());
-  // 1000 repeats: the standard error of a coverage of 95 % is 0.7 %.
-  for (const Share& share : {scale, shape, gamma_life}) {
-    CHECK(share.value() > 0.93);
-    CHECK(share.value() < 0.97);
-  }
-  CHECK(mean.value() > 0.90);  // 200 repeats: standard error 1.5 %
-  // Maximum likelihood of the shape is biased upwards by about 1.4 / n (Ross, IEEE Trans. Diel. 1994; here
-  // n counts failures); the scale hardly.
-  CHECK(std::abs(log_scale) < 0.01);
-  CHECK(log_shape > 0);
-  CHECK(log_shape < 0.045);
-}
-
-TEST_CASE("lognormal, normal, gamma and exponential lives: gamma-percent life covered", "[fit]") {
+TEST_CASE("every law under planned changes: no bias, and every interval covers in 93 to 97 %", "[fit]") {
   struct Case {
     FittedLaw truth;
-    double planned;
-    int repeats;
+    double planned;  // 20 to 30 % are still good then
+    double shape_bias_low, shape_bias_high;
   };
-  for (const Case& c : {Case{{.family = LifeFamily::lognormal, .first = 4, .second = 0.5}, 80, 400},
-                        Case{{.family = LifeFamily::normal, .first = 60, .second = 15}, 70, 400},
-                        Case{{.family = LifeFamily::gamma, .first = 15, .second = 4}, 80, 150},
-                        Case{{.family = LifeFamily::exponential, .first = 60}, 80, 400}}) {
-    Share covered;
-    for (int k = 0; k < c.repeats; ++k) {
-      RandomStream stream(11, "edges", name_of(c.truth.family), static_cast<std::uint64_t>(k));
-      const std::vector<Observation> lives = draw(c.truth, 50, c.planned, stream);
-      const FittedLaw fit = fit_law(c.truth.family, lives);
-      const Interval b = life_bounds(fit, lives, LifeQuantity::quantile, 0.95, 0.1);
-      const double t_90 = c.truth.gamma_percent_life(0.9);
-      covered.add(b.low <= t_90 && t_90 <= b.high);
+  // Maximum likelihood of the Weibull shape is biased upwards by about 1.4 / n (Ross, IEEE Trans. Diel. 1994;
+  // n counts failures), that of a standard deviation downwards by about 3 / (4 n), of the gamma shape upwards
+  // by 3 / n for complete samples (Choi, Wette, Technometrics 1969).
+  for (const Case& c : {Case{{.family = LifeFamily::weibull, .first = 60, .second = 1.6}, 70, 0, 0.03},
+                        Case{{.family = LifeFamily::lognormal, .first = 4, .second = 0.5}, 75, -0.02, 0.005},
+                        Case{{.family = LifeFamily::normal, .first = 60, .second = 15}, 70, -0.02, 0.005},
+                        Case{{.family = LifeFamily::gamma, .first = 15, .second = 4}, 75, 0, 0.06},
+                        Case{{.family = LifeFamily::exponential, .first = 60}, 80, -1e-9, 1e-9}}) {
+    const FittedLaw& truth = c.truth;
+    const double t_90 = truth.gamma_percent_life(0.9);
+    Share first, second, mean, gamma_life;
+    double bias_mean = 0;
+    double bias_second = 0;
+    constexpr int repeats = 1000;
+    for (int k = 0; k < repeats; ++k) {
+      RandomStream stream(7, "edges", name_of(truth.family), static_cast<std::uint64_t>(k));
+      const std::vector<Observation> lives = draw(truth, 100, c.planned, stream);
+      const FittedLaw fit = fit_law(truth.family, lives);
+      bias_mean += std::log(fit.mean() / truth.mean()) / repeats;
+      bias_second += std::log(fit.second / truth.second) / repeats;
+      const auto covers = [&](LifeQuantity quantity, double value, double p = 0.5) {
+        const Interval b = life_bounds(fit, lives, quantity, 0.95, p);
+        return b.low <= value && value <= b.high;
+      };
+      first.add(covers(LifeQuantity::first, truth.first));
+      gamma_life.add(covers(LifeQuantity::quantile, t_90, 0.1));
+      mean.add(covers(LifeQuantity::mean, truth.mean()));
+      if (fit.parameters() == 2) second.add(covers(LifeQuantity::second, truth.second));
     }
-    INFO(name_of(c.truth.family) << " " << covered.value());
-    const double standard_error = std::sqrt(0.95 * 0.05 / c.repeats);
-    CHECK(covered.value() > 0.95 - 3 * standard_error);
-    CHECK(covered.value() < 0.95 + 3 * standard_error);
+    INFO(name_of(truth.family) << ": " << first.value() << " " << (second.of > 0 ? second.value() : 0.95)
+                               << " " << mean.value() << " " << gamma_life.value() << "; bias " << bias_mean
+                               << " " << bias_second);
+    // 1000 repeats: the standard error of a coverage of 95 % is 0.7 %.
+    for (const Share& share : {first, second, mean, gamma_life}) {
+      if (share.of == 0) continue;
+      CHECK(share.value() > 0.93);
+      CHECK(share.value() < 0.97);
+    }
+    CHECK(std::abs(bias_mean) < 0.01);
+    CHECK(bias_second > c.shape_bias_low);
+    CHECK(bias_second < c.shape_bias_high);
   }
 }
 
@@ -116,7 +103,8 @@ TEST_CASE("inspections every ten minutes lose little and bias nothing", "[fit]")
   const FittedLaw truth{.family = LifeFamily::weibull, .first = 60, .second = 2};
   double log_scale = 0;
   double log_shape = 0;
-  constexpr int repeats = 200;
+  Share scale, shape, gamma_life;
+  constexpr int repeats = 1000;
   for (int k = 0; k < repeats; ++k) {
     RandomStream stream(3, "edges", "inspected", static_cast<std::uint64_t>(k));
     std::vector<Observation> lives;
@@ -128,10 +116,23 @@ TEST_CASE("inspections every ten minutes lose little and bias nothing", "[fit]")
     const FittedLaw fit = fit_law(LifeFamily::weibull, lives);
     log_scale += std::log(fit.first / truth.first) / repeats;
     log_shape += std::log(fit.second / truth.second) / repeats;
+    const auto covers = [&](LifeQuantity quantity, double value, double p = 0.5) {
+      const Interval b = life_bounds(fit, lives, quantity, 0.95, p);
+      return b.low <= value && value <= b.high;
+    };
+    scale.add(covers(LifeQuantity::first, truth.first));
+    shape.add(covers(LifeQuantity::second, truth.second));
+    gamma_life.add(covers(LifeQuantity::quantile, truth.gamma_percent_life(0.9), 0.1));
   }
-  // Standard errors: 0.053 / sqrt(200) = 0.0037 of ln scale, 0.08 / sqrt(200) = 0.006 of ln shape.
-  CHECK(std::abs(log_scale) < 0.015);
-  CHECK(std::abs(log_shape) < 0.04);
+  // Standard errors: 0.053 / sqrt(1000) = 0.0017 of ln scale, 0.08 / sqrt(1000) = 0.0025 of ln shape.
+  CHECK(std::abs(log_scale) < 0.007);
+  CHECK(log_shape > 0);
+  CHECK(log_shape < 0.025);
+  INFO(scale.value() << " " << shape.value() << " " << gamma_life.value());
+  for (const Share& share : {scale, shape, gamma_life}) {
+    CHECK(share.value() > 0.93);
+    CHECK(share.value() < 0.97);
+  }
   // Very narrow intervals are exact lives.
   std::vector<Observation> narrow;
   std::vector<Observation> exact;
@@ -202,7 +203,7 @@ TEST_CASE("competing causes: each law is found behind the other", "[fit]") {
 TEST_CASE("batches: equal ones are told apart in 5 % of the cases, different ones nearly always", "[fit]") {
   const FittedLaw truth{.family = LifeFamily::weibull, .first = 60, .second = 2};
   Share equal, different, covered;
-  for (int k = 0; k < 300; ++k) {
+  for (int k = 0; k < 1000; ++k) {
     RandomStream stream(13, "edges", "batches", static_cast<std::uint64_t>(k));
     std::vector<Observation> lives = draw(truth, 80, 90, stream);
     for (std::size_t i = 0; i < 80; ++i) lives[i].batch = i % 2;
@@ -217,15 +218,17 @@ TEST_CASE("batches: equal ones are told apart in 5 % of the cases, different one
     const Interval& b = report->ratios[1].life_ratio.bounds;
     covered.add(b.low <= 0.6 && 0.6 <= b.high);
   }
-  CHECK(equal.value() > 0.015);
-  CHECK(equal.value() < 0.095);
+  INFO(equal.value() << " " << different.value() << " " << covered.value());
+  CHECK(equal.value() > 0.03);
+  CHECK(equal.value() < 0.07);
   CHECK(different.value() > 0.95);
-  CHECK(covered.value() > 0.91);
+  CHECK(covered.value() > 0.93);
+  CHECK(covered.value() < 0.97);
 }
 
 TEST_CASE("product limit, median ranks and the Weibull plot", "[fit]") {
-  // Kaplan-Meier of the treated leukaemia group: Cox, Oakes, Analysis of Survival Data (1984), table 4.1:
-  // 0.857 after 6, 0.807 after 7, 0.753, 0.690, 0.627, 0.538, 0.448.
+  // Kaplan-Meier of the treated group of Gehan (1965), as every textbook has it (survfit of the R package
+  // survival prints the same): 0.857 after 6, 0.807 after 7, 0.753, 0.690, 0.627, 0.538, 0.448.
   std::vector<Observation> treated;
   for (const double t : {6, 6, 6, 7, 10, 13, 16, 22, 23}) treated.push_back(exact_life(t));
   for (const double t : {6, 9, 10, 11, 17, 19, 20, 25, 32, 32, 34, 35}) treated.push_back(survived(t));

@@ -7,8 +7,13 @@
 #include <rapidcheck.h>
 #include <unistd.h>
 
+#include "fit/arrival_log.h"
 #include "fit/columns.h"
+#include "fit/cycle_log.h"
+#include "fit/downtime_log.h"
 #include "fit/removal_log.h"
+#include "fit/wear_curves.h"
+#include "fit/workbook.h"
 #include "scenarios/json_text.h"
 #include "tests/property.h"
 
@@ -200,4 +205,89 @@ TEST_CASE("any bytes are read or refused, never worse", "[fit]") {
       RC_TAG("refused");
     }
   });
+}
+
+TEST_CASE("Ukrainian and Russian headers of every table are known without --column", "[fit]") {
+  for (const std::string text :
+       {"№ кромки;Інструмент;Режим;Партія;Час різання, хв;Остання перевірка, хв;Причина заміни\n"
+        "1;Т15К6;чорновий;А;31,5;20,0;знос\n2;Т15К6;чорновий;Б;45,0;;за графіком\n",
+        "Режущая кромка;Инструмент;Режим;Партия;Время резания, мин;Последний осмотр, мин;Причина снятия\n"
+        "1;Т15К6;черновой;А;31,5;20,0;износ\n2;Т15К6;черновой;Б;45,0;;по графику\n"}) {
+    INFO(text);
+    const File file(text);
+    const RemovalLog log = read_removals(file.path(), {});
+    REQUIRE(log.groups.size() == 1);
+    CHECK(log.rows_used == 2);
+    CHECK(log.groups[0].tool == "Т15К6");
+    CHECK_FALSE(log.groups[0].regime.empty());
+    const auto& lives = log.groups[0].lives;
+    REQUIRE(lives.size() == 2);
+    CHECK(lives[0].low == 20);
+    CHECK(lives[0].high == 31.5);
+    CHECK_FALSE(lives[1].failed());
+    CHECK(log.batches.size() == 2);
+    REQUIRE(log.causes.size() == 1);
+    CHECK(log.causes[0] == "worn");
+  }
+  for (const std::string text : {"Дослід;Матеріал;Інструмент;Швидкість різання, м/хв;Подача, мм/об;Глибина "
+                                 "різання, мм;Час, хв;Знос VB, мм\n"
+                                 "1;40Х;Т15К6;150;0,2;1;5;0,12\n1;40Х;Т15К6;150;0,2;1;20;0,35\n",
+                                 "Опыт;Материал;Инструмент;Скорость резания, м/мин;Подача, мм/об;Глубина "
+                                 "резания, мм;Время, мин;Износ VB, "
+                                 "мм\n1;40Х;Т15К6;150;0,2;1;5;0,12\n1;40Х;Т15К6;150;0,2;1;20;0,35\n"}) {
+    INFO(text);
+    const File file(text);
+    const WearData wear = read_wear(file.path(), {});
+    REQUIRE(wear.groups.size() == 1);
+    CHECK(wear.groups[0].material == "40Х");
+    REQUIRE(wear.groups[0].runs.size() == 1);
+    CHECK(wear.groups[0].runs[0].cutting_speed_m_min == 150);
+    CHECK(wear.groups[0].runs[0].depth_of_cut_mm == 1);
+  }
+  for (const std::string text :
+       {"№;Верстат;Причина;Початок простою;Кінець простою;Напрацювання, год;Час різання, год\n"
+        "1;1К62;патрон;02.03.2026 7:15;02.03.2026 8:05;10;4\n2;1К62;патрон;04.03.2026 7:15;04.03.2026 "
+        "8:05;30;9\n",
+        "№;Станок;Вид отказа;Начало простоя;Конец простоя;Наработка, ч;Время резания, ч\n"
+        "1;1К62;патрон;02.03.2026 7:15;02.03.2026 8:05;10;4\n2;1К62;патрон;04.03.2026 7:15;04.03.2026 "
+        "8:05;30;9\n"}) {
+    INFO(text);
+    const File file(text);
+    const DowntimeLog log = read_downtime(file.path(), {});
+    CHECK(log.machines.size() == 1);
+    REQUIRE(log.repairs.size() == 1);
+    CHECK(log.repairs[0].mode == "патрон");
+    CHECK(log.repairs[0].repairs[0].low == 50);
+    CHECK(log.times.size() == 3);  // calendar, operating, cutting
+  }
+  for (const std::string text : {"Замовлення;Дата замовлення;Деталь;Кількість\n1;02.03.2026 7:15;вал;3\n"
+                                 "2;02.03.2026 9:15;вал;1\n3;03.03.2026 7:15;вал;2\n",
+                                 "Заказ;Дата заказа;Деталь;Количество\n1;02.03.2026 7:15;вал;3\n"
+                                 "2;02.03.2026 9:15;вал;1\n3;03.03.2026 7:15;вал;2\n"}) {
+    INFO(text);
+    const File file(text);
+    ArrivalOptions options;
+    options.part = "вал";
+    const ArrivalLog log = read_arrivals(file.path(), options, 0.95);
+    CHECK(log.rows_used == 3);
+    CHECK(log.quantities[0] == 3);
+  }
+  for (const std::string text : {"Операція;Час циклу, хв\nточіння;2,5\nточіння;2,6\n",
+                                 "Операция;Время цикла, мин\nточение;2,5\nточение;2,6\n"}) {
+    INFO(text);
+    const File file(text);
+    const CycleLog log = read_cycles(file.path(), {});
+    REQUIRE(log.groups.size() == 1);
+    CHECK(log.groups[0].times[1].low == 2.6);
+  }
+}
+
+TEST_CASE("a workbook that only calls itself so, and a sheet of a table, are refused", "[fit]") {
+  CHECK(is_workbook_name("a.xlsx"));
+  CHECK(is_workbook_name("DIR/Зняття.XLSX"));
+  CHECK_FALSE(is_workbook_name("xlsx"));
+  CHECK_FALSE(is_workbook_name("a.xlsx.csv"));
+  RemovalOptions options;
+  options.table.sheet = "Зняття";
+  CHECK_THAT(why("Minutes,Cause\n3,worn\n", options), Contains("--sheet Зняття"));
 }

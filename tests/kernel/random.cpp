@@ -30,6 +30,7 @@ const std::vector<Distribution>& continuous_laws() {
       Distribution::beta(2.0, 5.0),
       Distribution::pert(1.0, 2.0, 9.0),
       Distribution::empirical({1.0, 4.0, 2.0, 2.5, 9.0}),
+      Distribution::empirical({1.0, 4.0, 2.0, 2.5, 9.0}, {3.0, 1.0, 2.0, 0.0, 0.5}),
   };
   return laws;
 }
@@ -209,6 +210,18 @@ TEST_CASE("closed forms and tables", "[distribution]") {
   CHECK(Distribution::discrete({3.0, 1.0}, {1.0, 3.0}).quantile(0.75) == 1.0);
   CHECK(Distribution::discrete({3.0, 1.0}, {1.0, 3.0}).quantile(0.7501) == 3.0);
   CHECK(Distribution::empirical({1.0, 2.0, 6.0}).quantile(0.75) == Approx(4.0));
+  // Half of each weight on either side: 1.5 of 2.5 lie between 1 and 2, 1 between 2 and 6.
+  const Distribution weighted = Distribution::empirical({6.0, 1.0, 2.0, 7.0}, {1.0, 2.0, 1.0, 0.0});
+  CHECK(weighted.quantile(0.6) == Approx(2.0));
+  CHECK(weighted.quantile(0.8) == Approx(4.0));
+  CHECK(weighted.cdf(1.5) == Approx(0.3));
+  CHECK(weighted.mean() == Approx(0.6 * 1.5 + 0.4 * 4.0));
+  CHECK(weighted.quantile(1.0) == 6.0);
+  // Equal weights change nothing, to the last bit.
+  const Distribution alike = Distribution::empirical({1.0, 2.0, 6.0}, {0.5, 0.5, 0.5});
+  for (const double p : {0.01, 0.3, 0.77}) {
+    CHECK(alike.quantile(p) == Distribution::empirical({1.0, 2.0, 6.0}).quantile(p));
+  }
   // Half-normal: mean sqrt(2/pi), variance 1 - 2/pi.
   const Distribution half =
       Distribution::truncated_normal(0.0, 1.0, 0.0, std::numeric_limits<double>::infinity());
@@ -251,11 +264,14 @@ TEST_CASE("bad parameters name law, parameter, value and range", "[distribution]
     CHECK_THROWS_AS(Distribution::discrete({bad}, {1.0}), std::invalid_argument);
     CHECK_THROWS_AS(Distribution::discrete({1.0}, {bad}), std::invalid_argument);
     CHECK_THROWS_AS(Distribution::empirical({1.0, bad}), std::invalid_argument);
+    CHECK_THROWS_AS(Distribution::empirical({1.0, 2.0}, {1.0, bad}), std::invalid_argument);
   }
   CHECK_THROWS_AS(Distribution::erlang(0, 1.0), std::invalid_argument);
   CHECK_THROWS_AS(Distribution::discrete({}, {}), std::invalid_argument);
   CHECK_THROWS_AS(Distribution::discrete({1.0}, {0.0}), std::invalid_argument);
   CHECK_THROWS_AS(Distribution::empirical({1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(Distribution::empirical({1.0, 2.0}, {1.0}), std::invalid_argument);
+  CHECK_THROWS_AS(Distribution::empirical({1.0, 2.0}, {1.0, 0.0}), std::invalid_argument);
   CHECK_THROWS_AS(Distribution::truncated_normal(0.0, 1.0, 50.0, 51.0), std::invalid_argument);
   CHECK_THROWS_AS(Distribution::uniform(2.0, 1.0), std::invalid_argument);
 }

@@ -305,3 +305,29 @@ TEST_CASE("replicate_until stops where one by one would stop, on any number of t
   CHECK(capped.results.size() == 30);
   CHECK_THROWS_AS(replicate_until(Precision(0.05, 1, 30), 1, replication), std::invalid_argument);
 }
+
+TEST_CASE("Wilson's interval holds the probability as often as it says", "[output]") {
+  // Newcombe (Stat. Med. 17 (1998) 857), method 3: 81 of 263 and 0 of 20.
+  const ProbabilityInterval common = wilson_interval(81, 263);
+  CHECK(common.low == Approx(0.2553).margin(5e-5));
+  CHECK(common.high == Approx(0.3662).margin(5e-5));
+  const ProbabilityInterval never = wilson_interval(0, 20);
+  CHECK(never.low == 0);
+  CHECK(never.high == Approx(0.1611).margin(5e-5));
+  // Coverage over all outcomes of the binomial law, by summing it.
+  for (const double p : {0.05, 0.3, 0.9}) {
+    constexpr std::int64_t n = 200;
+    double covered = 0;
+    for (std::int64_t k = 0; k <= n; ++k) {
+      const double x = static_cast<double>(k);
+      const double chance = std::exp(std::lgamma(n + 1.0) - std::lgamma(x + 1) - std::lgamma(n - x + 1) +
+                                     x * std::log(p) + (n - x) * std::log(1 - p));
+      const ProbabilityInterval interval = wilson_interval(k, n);
+      if (interval.low <= p && p <= interval.high) covered += chance;
+    }
+    CHECK(covered > 0.93);
+    CHECK(covered < 0.975);
+  }
+  CHECK_THROWS_AS(wilson_interval(3, 2), std::invalid_argument);
+  CHECK_THROWS_AS(wilson_interval(0, 0), std::invalid_argument);
+}

@@ -1,4 +1,6 @@
 // Sister tools, shared tools, tool room, regrinding and the crib against queueing theory.
+#include <boost/math/distributions/poisson.hpp>
+
 #include "models/reliability/k117_rational_reliability.h"
 #include "sim/shop/shop.h"
 #include "tests/property.h"
@@ -110,9 +112,43 @@ TEST_CASE("an unattended interval passes without a stop with exp(-t/T), and the 
   CHECK(mean_of(run, "tool/tool/sisters_needed") == 4);
   CHECK(mean_of(run_cell({"/simulation/unattended_min=90", "/tools/0/unattended_target=0.9"}),
                 "tool/tool/sisters_needed") == 3);
-  // With sisters at hand the changes do not stop the machine.
-  CHECK(mean_of(run_cell({"/simulation/unattended_min=90", "/tools/0/copies=12"}),
-                "tool/tool/no_stop_share") == 1);
+  // With sisters at hand the changes do not stop the machine: the bound says how sure that is.
+  const auto quiet = run_cell({"/simulation/unattended_min=90", "/tools/0/copies=12"});
+  CHECK(mean_of(quiet, "tool/tool/no_stop_share") == 1);
+  CHECK(mean_of(quiet, "tool/tool/unattended/no_stop_high") == 1);
+  const double intervals =
+      mean_of(quiet, "tool/tool/unattended/intervals") * static_cast<double>(quiet.values.size());
+  constexpr double z = 1.959963984540054;
+  CHECK(mean_of(quiet, "tool/tool/unattended/no_stop_low") == Approx(1 / (1 + z * z / intervals)));
+
+  // The interval comes from all replications together and holds the closed form.
+  const double low = mean_of(run, "tool/tool/unattended/no_stop_low");
+  const double high = mean_of(run, "tool/tool/unattended/no_stop_high");
+  const double chance = std::exp(-90 / cell_life_min);
+  const double n = mean_of(run, "tool/tool/unattended/intervals") * static_cast<double>(run.values.size());
+  CHECK(low < chance);
+  CHECK(chance < high);
+  CHECK(high - low == Approx(2 * z * std::sqrt(chance * (1 - chance) / n)).epsilon(0.05));
+
+  // Ten intervals cannot show that 95 % of them pass; ten thousand can.
+  CHECK(mean_of(run, "tool/tool/sisters_needed_surely") == 4);
+  const auto few = run_cell({"/simulation/unattended_min=90", "/simulation/horizon_min=2900"});
+  const auto k = *few.index_of("tool/tool/sisters_needed_surely");
+  for (const auto& values : few.values) CHECK_FALSE(values[k].has_value());
+}
+
+TEST_CASE("the inserts of a week are Poisson, by insert and by grade") {
+  // Run to failure at a rate of one insert in cell_life_min: 168 in a week, 90 % of the weeks need no more
+  // than 185.
+  const auto run =
+      run_cell({"/simulation/horizon_min=10082000", R"(/inserts/0/grade="P25")", "/inserts/0/edges=1"});
+  const double rate = mean_of(run, "insert/insert/consumption_per_week");
+  CHECK(rate == Approx(10'080 / cell_life_min).epsilon(0.01));
+  const double p90 = mean_of(run, "insert/insert/consumption_week_p90");
+  CHECK(p90 ==
+        Approx(quantile(boost::math::poisson_distribution<>(10'080 / cell_life_min), 0.9)).epsilon(0.01));
+  CHECK(mean_of(run, "grade/P25/consumption_week_p90") == p90);
+  CHECK(mean_of(run, "grade/P25/consumption") == mean_of(run, "insert/insert/consumption"));
 }
 
 TEST_CASE("after a failure another crew comes") {

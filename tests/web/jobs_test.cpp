@@ -320,6 +320,8 @@ TEST_CASE("fits that would reach beyond their table are refused") {
   refused({{"options", {{"out", "/etc/passwd"}}}}, "\"out\" is no flag");
   refused({{"options", {{"criterion", 0.3}}}}, "\"criterion\" is no flag of verstat fit life");
   refused({{"options", {{"tool", "a\nb"}}}}, "one line");
+  refused({{"options", {{"library", "/tmp"}}}}, "\"library\" is no flag");
+  refused({{"what", "cycle"}, {"options", {{"empirical", "yes"}}}}, "must be true or false");
   refused({{"options", {{"tool", json::array()}}}}, "a text or a number");
   refused({{"columns", {{"--out", "x"}}}}, "no role");
   refused({{"more", 1}}, "\"more\" is not known");

@@ -28,10 +28,16 @@ const std::map<std::string, std::set<std::string>> options_of = {
     {"taylor", {"criterion", "material", "tool", "at", "to"}},
     {"downtime",
      {"bootstrap", "hours", "weekdays", "from", "to-time", "clock", "mode", "to-failure", "to-repair"}},
-    {"arrivals", {"bootstrap", "hours", "weekdays", "part", "to"}},
+    {"arrivals", {"bootstrap", "hours", "weekdays", "part", "as", "to"}},
     {"cycle", {"bootstrap", "operation", "to"}},
 };
-const std::set<std::string> switches_of_downtime = {"new-at-start", "accept-trend"};
+const std::map<std::string, std::set<std::string>> switches_of = {
+    {"life", {}},
+    {"taylor", {"pool-laboratories"}},
+    {"downtime", {"new-at-start", "accept-trend", "empirical"}},
+    {"arrivals", {"empirical"}},
+    {"cycle", {"empirical"}},
+};
 
 const json& object_in(const json& body, const char* name, const char* what) {
   static const json empty = json::object();
@@ -89,7 +95,7 @@ JobSpec fit_job(const json& body) {
     arguments.push_back("--column=" + role + "=" + value_of("columns: " + role, header));
   }
   for (const auto& [name, value] : object_in(asked, "options", "an object of flags and values").items()) {
-    if (what == "downtime" && switches_of_downtime.contains(name)) {
+    if (switches_of.at(what).contains(name)) {
       if (!value.is_boolean())
         throw Refused{400, fmt::format("body: fit: options: {}: must be true or false", name)};
       if (value.get<bool>()) arguments.push_back("--" + name);

@@ -17,11 +17,15 @@ namespace {
 
 LifeLaw arbitrary_law() {
   const double mean = *rc::gen::inRange(1, 1000) * 0.37;
-  switch (*rc::gen::inRange(0, 3)) {
+  switch (*rc::gen::inRange(0, 5)) {
     case 0:
       return {LifeLawKind::weibull, mean, *rc::gen::inRange(50, 2000) * 1e-3};
     case 1:
       return {LifeLawKind::normal, mean, *rc::gen::inRange(50, 450) * 1e-3};
+    case 2:
+      return {LifeLawKind::lognormal, mean, *rc::gen::inRange(50, 2000) * 1e-3};
+    case 3:
+      return {LifeLawKind::gamma, mean, *rc::gen::inRange(50, 2000) * 1e-3};
     default:
       return {LifeLawKind::exponential, mean, 1};
   }
@@ -123,6 +127,54 @@ TEST_CASE("renewal function: exponential closed form, short and long intervals",
     right += dh * normal.failure_probability(1.2 - 1.2 * (k + 0.5) / n);
   }
   CHECK(normal.renewal_function(1.2) == Approx(right).epsilon(1e-3));
+}
+
+TEST_CASE("lognormal and gamma lives: closed forms, moments, hazards in the far tail", "[math]") {
+  // Gamma with cv 1 is exponential, with cv 1/2 the sum of four exponentials.
+  const LifeLaw one(LifeLawKind::gamma, 60, 1);
+  const LifeLaw exponential(LifeLawKind::exponential, 60, 1);
+  const LifeLaw erlang(LifeLawKind::gamma, 60, 0.5);
+  for (const double t : {0.0, 1e-3, 7.0, 60.0, 400.0}) {
+    CHECK(one.reliability(t) == Approx(exponential.reliability(t)).epsilon(1e-13));
+    CHECK(one.hazard(t) == Approx(1.0 / 60).epsilon(1e-12));
+    CHECK(one.restricted_mean(t) == Approx(exponential.restricted_mean(t)).epsilon(1e-12));
+    const double x = t / 15;
+    CHECK(erlang.reliability(t) == Approx(std::exp(-x) * (1 + x + x * x / 2 + x * x * x / 6)).epsilon(1e-13));
+  }
+  const LifeLaw lognormal(LifeLawKind::lognormal, 60, 0.5);
+  const double log_sd = std::sqrt(std::log(1.25));
+  CHECK(lognormal.shape() == Approx(log_sd).epsilon(1e-15));
+  CHECK(lognormal.scale() == Approx(60 * std::exp(-log_sd * log_sd / 2)).epsilon(1e-14));
+  CHECK(lognormal.gamma_percent_life(0.5) == Approx(lognormal.scale()).epsilon(1e-14));
+  CHECK(lognormal.reliability(0) == 1);
+  CHECK(lognormal.hazard(0) == 0);
+  // Mean and scatter of the lives that quantile() draws.
+  for (const LifeLaw& law : {lognormal, erlang, LifeLaw(LifeLawKind::gamma, 60, 1.4)}) {
+    double mean = 0;
+    double squares = 0;
+    constexpr int n = 200'000;
+    for (int k = 0; k < n; ++k) {
+      const double life = law.quantile((k + 0.5) / n);
+      mean += life / n;
+      squares += life * life / n;
+    }
+    CHECK(mean == Approx(60).epsilon(1e-4));
+    CHECK(std::sqrt(squares - mean * mean) / mean == Approx(law.cv()).epsilon(3e-3));
+    CHECK(law.restricted_mean(std::numeric_limits<double>::infinity()) == 60);
+  }
+  // Where R underflows the hazard goes on: over the seam without a jump, and to 1/scale.
+  const double seam = 15 * 470;
+  CHECK(erlang.reliability(seam * 1.02) < 1e-200);
+  CHECK(erlang.reliability(seam * 0.95) > 1e-200);
+  for (double x = 440; x < 500; x += 0.25) {
+    const double closed = (x * x * x / 6) / (1 + x + x * x / 2 + x * x * x / 6);
+    CHECK(erlang.hazard(15 * x) * 15 == Approx(closed).epsilon(1e-11));
+  }
+  CHECK(erlang.hazard(1e7) * 15 == Approx(1).epsilon(1e-5));
+  CHECK(std::isfinite(lognormal.hazard(1e30)));
+  CHECK_THROWS_WITH(LifeLaw(LifeLawKind::gamma, 60, 0.005),
+                    "cv = 0.005, allowed 0.01 <= cv <= 10 for the gamma law");
+  CHECK_THROWS_AS(LifeLaw(LifeLawKind::lognormal, 60, 11), DomainError);
 }
 
 TEST_CASE("life laws refuse what they cannot be", "[math]") {

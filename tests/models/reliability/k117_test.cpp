@@ -450,3 +450,27 @@ TEST_CASE("K117: bad input names itself", "[K117]") {
   CHECK_THROWS_WITH(required_mean_life({LifeLawKind::normal, 60, 0.995, 0.4}),
                     Catch::Contains("gamma = 0.995, must be below Phi(1/cv)"));
 }
+
+TEST_CASE("lognormal and gamma lives: the optimal age is the best of all ages", "[k117]") {
+  // The lognormal hazard rises and falls: the condition of the optimum has two roots, or none.
+  for (const LifeLawKind kind : {LifeLawKind::lognormal, LifeLawKind::gamma})
+    for (const double cv : {0.2, 0.5, 0.9, 1.3})
+      for (const double failure : {1.2, 4.0, 30.0}) {
+        INFO(static_cast<int>(kind) << " cv " << cv << " failure " << failure);
+        OptimalAgeIn in;
+        in.law = kind;
+        in.cv = cv;
+        in.mean_min = 60;
+        in.planned_cost = 1;
+        in.failure_cost = failure;
+        const OptimalAge best = optimal_age_replacement(in);
+        const LifeLaw law(kind, 60, cv);
+        double least = failure / 60;
+        for (double age = 0.6; age <= 360; age *= 1.002) {
+          const double fails = law.failure_probability(age);
+          least = std::min(least, ((1 - fails) + fails * failure) / law.restricted_mean(age));
+        }
+        CHECK(best.cost_rate_per_min <= least * (1 + 1e-12));
+        CHECK(best.cost_rate_per_min >= least * (1 - 2e-5));
+      }
+}

@@ -492,6 +492,35 @@ try {
     assert.equal(scenario.inserts[0].edge_life.cv, cv.value);
   });
 
+  await journey('wear, stops, orders and cycle times go through the same page; an order list becomes orders', async () => {
+    await open('#/fit');
+    const ask = async (what, name, flags) => {
+      await page.selectOption('#fit-what', what);
+      await page.setInputFiles('#fit-file', resolve(options.scenarios, `../../docs/examples/fit/${name}`));
+      await page.waitForSelector(`#fit-file-facts:has-text("${name}")`);
+      for (const [flag, value] of Object.entries(flags)) {
+        const field = page.locator(`[data-flag=${flag}]`);
+        if (await field.evaluate((e) => e.tagName) === 'SELECT') await field.selectOption(value);
+        else await field.fill(value);
+      }
+      await page.click('#fit-start');
+      await page.waitForSelector('#fit-answer section');
+    };
+    await ask('taylor', 'wear.csv', { at: '150,0.2,1' });
+    await page.waitForSelector('#fit-answer [data-entry^=insert]');
+    await ask('downtime', 'downtime.csv', {});
+    await page.waitForSelector('#fit-answer [data-entry=failure-spindle]');
+    await ask('cycle', 'cycles.csv', { operation: 'deburring', to: '/operations/0/process/time' });
+    await page.waitForSelector('#fit-answer td:has-text("empirical")');
+    await ask('arrivals', 'orders.csv', { as: 'orders', to: '/parts/0/supply' });
+    await page.selectOption('#fit-scenario', 'heavy-lathe');
+    await page.click('#fit-use');
+    await page.waitForSelector('#check.good');
+    const scenario = JSON.parse(await page.inputValue('#scenario-text'));
+    assert.equal(scenario.parts[0].supply.kind, 'orders');
+    assert.equal(scenario.parts[0].supply.orders.length, 182);
+  });
+
   await journey('the tool-change sheet and the morning report print', async () => {
     await open('#/sheet/1');
     const plan = JSON.parse(execFileSync(options.program, ['models', 'eval', 'K117.gamma_percent_life', '--inputs', '{"gamma": 0.64}'], { encoding: 'utf8' }));

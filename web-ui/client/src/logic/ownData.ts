@@ -41,12 +41,28 @@ interface Form {
   uses: string[];
   /** Flags of `verstat fit WHAT`. */
   options: string[];
+  /** Flags without a value. */
+  switches?: string[];
 }
+/** Flags with few values; the first stands for leaving it out. */
+export const choices: Record<string, string[]> = {
+  decimal: ['', 'comma', 'point'],
+  clock: ['', 'operating', 'calendar', 'cutting'],
+  as: ['', 'law', 'profile', 'orders'],
+};
+/** What a pointer may look like. */
+export const examples: Record<What, Record<string, string>> = {
+  life: { to: '/inserts/0' },
+  taylor: { to: '/inserts/0', at: '150,0.2,1' },
+  downtime: { 'to-failure': '/machines/0/failures/0/time_to_failure', 'to-repair': '/machines/0/failures/0/repair', hours: '07:00-15:00', weekdays: 'mon-fri' },
+  arrivals: { to: '/parts/0/supply', hours: '07:00-15:00', weekdays: 'mon-fri' },
+  cycle: { to: '/operations/0/process/time' },
+};
 /** As `verstat fit WHAT --help` says. */
 export const forms: Record<What, Form> = {
   life: { needs: ['life', 'cause'], uses: ['parts', 'tool', 'regime', 'batch', 'edge', 'last_good'], options: ['tool', 'regime', 'gamma', 'to', 'planned-cause', 'failure-cause', 'decimal'] },
   taylor: { needs: ['time', 'wear', 'speed'], uses: ['feed', 'depth', 'material', 'tool', 'laboratory', 'run', 'record'], options: ['criterion', 'material', 'tool', 'at', 'to', 'decimal'] },
-  downtime: { needs: ['start', 'end'], uses: ['duration', 'machine', 'mode', 'operating', 'cutting', 'record'], options: ['mode', 'clock', 'to-failure', 'to-repair', 'hours', 'weekdays', 'decimal'] },
-  arrivals: { needs: ['arrival'], uses: ['quantity', 'part', 'order'], options: ['part', 'to', 'hours', 'weekdays', 'decimal'] },
-  cycle: { needs: ['cycle'], uses: ['operation', 'record'], options: ['operation', 'to', 'decimal'] },
+  downtime: { needs: ['start', 'end'], uses: ['duration', 'machine', 'mode', 'operating', 'cutting', 'record'], options: ['mode', 'clock', 'to-failure', 'to-repair', 'hours', 'weekdays', 'decimal'], switches: ['empirical', 'accept-trend'] },
+  arrivals: { needs: ['arrival'], uses: ['quantity', 'part', 'order'], options: ['part', 'as', 'to', 'hours', 'weekdays', 'decimal'], switches: ['empirical'] },
+  cycle: { needs: ['cycle'], uses: ['operation', 'record'], options: ['operation', 'to', 'decimal'], switches: ['empirical'] },
 };

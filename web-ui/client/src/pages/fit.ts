@@ -8,7 +8,7 @@ import { significant, whole } from '../format';
 import { gallery, galleryText } from '../gallery';
 import { t, type Key } from '../i18n';
 import { begin, changed, current, recall, remember } from '../logic/draft';
-import { decode, forms, headers, mostBytes, type What } from '../logic/ownData';
+import { choices, decode, examples, forms, headers, mostBytes, type What } from '../logic/ownData';
 import { applyChanges, type Json } from '../logic/pointer';
 import { blocks, type Block } from '../logic/result';
 import { title } from '../logic/schema';
@@ -44,9 +44,15 @@ interface Answer {
   groups?: Group[];
   warnings?: string[];
   patch?: { changes: Change[]; provenance: Record<string, unknown> };
+  library?: { kind: string; name: string; entry: unknown; provenance: { method: string; rows_used: number } }[];
   [more: string]: unknown;
 }
 
+/** A value of the scenario in a line: laws and lists as JSON, long ones cut. */
+const brief = (value: unknown): string => {
+  const text = typeof value === 'number' ? significant(value) : typeof value === 'object' && value !== null ? JSON.stringify(value) : String(value);
+  return text.length > 160 ? `${text.slice(0, 160)}…` : text;
+};
 const number = (x: number | null | undefined, digits = 4) => (typeof x === 'number' ? significant(x, digits) : '–');
 const bounds = (i: Interval) => `${number(i.estimate)} (${number(i.low)} … ${number(i.high)})`;
 
@@ -69,10 +75,12 @@ export const fitPage: PageMaker = async (context) => {
     const heads = headers(text);
     columns.replaceChildren(...[...form.needs, ...form.uses].map((role) => h('label', {}, role.replace('_', ' '), form.needs.includes(role) ? ' *' : '', ' ',
       h('select', { 'data-role': role }, h('option', { value: '' }, t('fit.byName')), heads.map((x) => h('option', { value: x }, x))))));
-    options.replaceChildren(...form.options.map((flag) => h('label', {}, h('code', {}, `--${flag}`), ' ',
-      flag === 'decimal'
-        ? h('select', { 'data-flag': flag }, h('option', { value: '' }, t('fit.found')), h('option', { value: 'comma' }, '0,5'), h('option', { value: 'point' }, '0.5'))
-        : h('input', { 'data-flag': flag, type: 'text', size: 12, placeholder: flag === 'to' ? '/inserts/0' : undefined }))));
+    options.replaceChildren(
+      ...form.options.map((flag) => h('label', {}, h('code', {}, `--${flag}`), ' ',
+        choices[flag]
+          ? h('select', { 'data-flag': flag }, choices[flag].map((c) => h('option', { value: c }, c === '' ? t('fit.found') : c)))
+          : h('input', { 'data-flag': flag, type: 'text', size: 12, placeholder: examples[chosen()][flag] }))),
+      ...(form.switches ?? []).map((flag) => h('label', {}, h('input', { 'data-switch': flag, type: 'checkbox' }), ' ', h('code', {}, `--${flag}`))));
     start.disabled = version.read_only || text === '';
   };
   const load = (bytes: ArrayBuffer, name: string) => {
@@ -100,7 +108,7 @@ export const fitPage: PageMaker = async (context) => {
     note.textContent = '';
     start.disabled = true;
     const failed = (e: unknown) => { start.disabled = false; note.textContent = e instanceof ApiError && e.message ? e.message : e instanceof ApiError ? t('state.offline') : String(e); };
-    const asked = { what: chosen(), table: text, file, columns: values(columns, 'role'), options: values(options, 'flag') };
+    const asked = { what: chosen(), table: text, file, columns: values(columns, 'role'), options: { ...values(options, 'flag'), ...Object.fromEntries([...options.querySelectorAll<HTMLInputElement>('[data-switch]:checked')].map((e) => [e.dataset.switch ?? '', true])) } };
     answer.replaceChildren();
     api.startJob({ kind: 'fit', fit: asked }).then(
       (job) => jobs.replaceChildren(jobPanel(context, job, (end) => {
@@ -136,7 +144,7 @@ export const fitPage: PageMaker = async (context) => {
 
 function shown(context: PageContext, a: Answer): DocumentFragment {
   const unit = a.unit ?? 'min';
-  const { table: read, groups, warnings, patch, provenance, unit: _, confidence: __, ...more } = a;
+  const { table: read, groups, warnings, patch, provenance, library, unit: _, confidence: __, ...more } = a;
   const life = (groups ?? []).filter((g) => g.laws || g.not_fitted !== undefined);
   return fragment(
     section(t('fit.rows', { used: whole(read.rows_used), all: whole(read.rows_in_file) }), read.file,
@@ -147,6 +155,7 @@ function shown(context: PageContext, a: Answer): DocumentFragment {
       ], read.dropped) : null,
       (warnings ?? []).map((w) => h('p', { class: 'warn' }, w))),
     patch ? patchSection(read.file, patch) : null,
+    library ? librarySection(library) : null,
     life.length > 0 && life.every((g) => 'edges' in g) ? life.map((g) => groupSection(context, g, unit)) : null,
     blocks(life.length > 0 ? more : { ...more, groups }).map(blockSection),
   );
@@ -191,7 +200,7 @@ function patchSection(file: string, patch: NonNullable<Answer['patch']>): HTMLEl
   return section(t('fit.patch'), '',
     table<Change>(t('fit.patch'), [
       { head: t('scenario.place'), rowHead: true, cell: (c) => h('code', {}, c.pointer) },
-      { head: t('col.value'), cell: (c) => (typeof c.value === 'number' ? significant(c.value) : String(c.value)), raw: (c) => (typeof c.value === 'number' ? c.value : String(c.value)) },
+      { head: t('col.value'), cell: (c) => brief(c.value), raw: (c) => (typeof c.value === 'number' ? c.value : JSON.stringify(c.value)) },
     ], patch.changes),
     h('p', { class: 'row no-print' },
       draft ? h('button', { type: 'button', id: 'fit-use-draft', onclick: intoDraft }, t('fit.useDraft', { name: draft.origin })) : null,
@@ -199,6 +208,17 @@ function patchSection(file: string, patch: NonNullable<Answer['patch']>): HTMLEl
       h('button', { type: 'button', class: 'quiet', onclick: () => saveBlob(new Blob([`${JSON.stringify(patch, null, 2)}\n`], { type: 'application/json' }), 'changes.json') }, t('fit.save'))),
     h('p', { class: 'muted' }, t('fit.saveHint')),
     note);
+}
+
+function librarySection(entries: NonNullable<Answer['library']>): HTMLElement {
+  return section(t('fit.library'), '',
+    table<(typeof entries)[number]>(t('fit.library'), [
+      { head: t('col.name'), rowHead: true, cell: (e) => e.name },
+      { head: t('fit.kind'), cell: (e) => e.kind },
+      { head: t('fit.method'), cell: (e) => e.provenance.method },
+      { head: '', cell: (e) => h('button', { type: 'button', class: 'quiet no-print', 'data-entry': `${e.kind}-${e.name}`, onclick: () => saveBlob(new Blob([`${JSON.stringify(e, null, 2)}\n`], { type: 'application/json' }), `${e.kind}-${e.name.replace(/[^\p{L}\p{N}.-]/gu, '_')}.json`) }, t('fit.save')), raw: () => '' },
+    ], entries),
+    h('p', { class: 'muted' }, t('fit.libraryHint')));
 }
 
 function blockSection(block: Block): Child {
