@@ -121,19 +121,31 @@ std::string changes_text(const std::vector<Change>& changes) {
   return list.dump();
 }
 
+std::string read_scenario_text(const std::string& file) {
+  try {
+    return fit::with_order_files(scenarios::read_text_file(file), std::filesystem::path(file).parent_path());
+  } catch (const InputError& e) {
+    throw UsageError(fmt::format("scenario {}: {}", file, e.what()));
+  }
+}
+
 LoadedScenario load_scenario(const std::string& file, const std::vector<Change>& changes) {
+  return load_scenario_text(read_scenario_text(file), "scenario " + file, changes);
+}
+
+LoadedScenario load_scenario_text(const std::string& text, const std::string& where,
+                                  const std::vector<Change>& changes) {
   LoadedScenario loaded;
   try {
-    loaded.text =
-        fit::with_order_files(scenarios::read_text_file(file), std::filesystem::path(file).parent_path());
-    loaded.json = scenarios::parse_json(loaded.text);
+    loaded.text = text;
+    loaded.json = scenarios::parse_json(text);
     // --seed works on a scenario without settings, too.
     if (loaded.json.is_object() && !loaded.json.contains("simulation"))
       loaded.json["simulation"] = nlohmann::json::object();
     loaded.json = scenarios::apply(std::move(loaded.json), changes);
     loaded.scenario = scenarios::load(loaded.json);
   } catch (const InputError& e) {
-    throw UsageError(fmt::format("scenario {}: {}", file, e.what()));
+    throw UsageError(fmt::format("{}: {}", where, e.what()));
   }
   return loaded;
 }

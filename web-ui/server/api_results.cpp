@@ -18,6 +18,7 @@ namespace verstat::web {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
+using store::number_or_null;
 
 namespace {
 
@@ -46,10 +47,6 @@ void put(ordered_json& row, const std::map<std::int64_t, store::Annotation>& all
   const auto found = all.find(id);
   row["note"] = found == all.end() ? "" : found->second.note;
   row["tags"] = found == all.end() ? std::vector<std::string>{} : found->second.tags;
-}
-
-ordered_json number_or_null(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
 ordered_json kpi_json(const store::KpiSummary& k) {
