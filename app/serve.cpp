@@ -1,6 +1,7 @@
 // verstat serve: the pages and the REST interface over a results database.
 #include <charconv>
 #include <cstdio>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -52,6 +53,8 @@ void serve(const std::string& db, const std::string& host_text, const std::strin
   if (!loopback && token.empty())
     throw UsageError(
         fmt::format("--host {}: other machines can reach this address, so a --token is needed", host));
+  // The first page tells whoever begins how to; it needs a database to say so.
+  if (!read_only && !std::filesystem::exists(db)) static_cast<void>(store::Writer(db));
   static_cast<void>(
       store::Reader(db).run_count());  // an unreadable database is said now, not on the first page
 

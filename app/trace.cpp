@@ -17,11 +17,13 @@ void add_trace(CLI::App& program) {
   auto format = std::make_shared<std::string>("json");
   auto replication = std::make_shared<std::uint64_t>(0);
   CLI::App* command =
-      program.add_subcommand("trace", "Record one replication: machine states, parts, queues, edges");
+      program.add_subcommand("trace", "Record one replication: machine states, crews, parts, queues, edges");
   command->add_option("SCENARIO", *file, "scenario file (JSON)")->required();
   command->add_option("--out", *out, "file to write; without it, standard output");
-  command->add_option("--format", *format, "json; csv (state intervals); chrome (opens in Perfetto)")
-      ->check(CLI::IsMember({"json", "csv", "chrome"}))
+  command
+      ->add_option("--format", *format,
+                   "json; compact (JSON for drawing); csv (state intervals); chrome (opens in Perfetto)")
+      ->check(CLI::IsMember({"json", "compact", "csv", "chrome"}))
       ->capture_default_str();
   command->add_option("--replication", *replication, "number of the replication, from 0")
       ->capture_default_str();
@@ -39,6 +41,8 @@ void add_trace(CLI::App& program) {
       shop::write_csv(text, loaded.scenario, trace);
     else if (*format == "chrome")
       shop::write_chrome(text, loaded.scenario, trace);
+    else if (*format == "compact")
+      shop::write_compact(text, loaded.scenario, trace);
     else
       shop::write_json(text, loaded.scenario, trace);
     if (out->empty())

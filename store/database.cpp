@@ -111,6 +111,38 @@ class KpiRows {
 
 }  // namespace
 
+namespace {
+
+struct flock byte_of(std::int64_t study, short type) {
+  struct flock byte {};
+  byte.l_type = type;
+  byte.l_whence = SEEK_SET;
+  byte.l_start = study;
+  byte.l_len = 1;
+  return byte;
+}
+
+}  // namespace
+
+bool study_under_way(const std::filesystem::path& database, std::int64_t id) {
+  const int descriptor = ::open((database.string() + ".lock").c_str(), O_RDONLY | O_CLOEXEC);
+  if (descriptor < 0) return errno != ENOENT;  // a copy of a database, without its lock: nobody runs it here
+  struct flock byte = byte_of(id, F_WRLCK);
+  const bool known = ::fcntl(descriptor, F_OFD_GETLK, &byte) == 0;
+  ::close(descriptor);
+  return !known || byte.l_type != F_UNLCK;
+}
+
+std::string present_status(SQLite::Database& db, const std::filesystem::path& file, std::int64_t id,
+                           const std::string& recorded) {
+  if (recorded != "running" || study_under_way(file, id)) return recorded;
+  // It may have ended between the two looks.
+  SQLite::Statement again(db, "SELECT status FROM study WHERE id = ?");
+  again.bind(1, id);
+  const std::string now = again.executeStep() ? again.getColumn(0).getString() : recorded;
+  return now == "running" ? "interrupted" : now;
+}
+
 // An advisory lock on a file beside the database, released by the system even when the process is killed.
 // Held for one operation at a time, so that a study of many hours leaves room for others.
 class Writer::Lock {
@@ -138,6 +170,17 @@ class Writer::Lock {
     }
   }
   void give_back() noexcept { ::flock(descriptor_, LOCK_UN); }
+
+  /// Byte `id` of the file stands for study `id`: whoever runs it holds it. False when somebody else does.
+  /// These locks are of another kind than flock's; neither sees the other.
+  bool claim(std::int64_t id) noexcept {
+    struct flock byte = byte_of(id, F_WRLCK);
+    return ::fcntl(descriptor_, F_OFD_SETLK, &byte) == 0 || (errno != EAGAIN && errno != EACCES);
+  }
+  void disclaim(std::int64_t id) noexcept {
+    struct flock byte = byte_of(id, F_UNLCK);
+    ::fcntl(descriptor_, F_OFD_SETLK, &byte);
+  }
 
   /// The database is open: from now on it must stay the file that its name leads to.
   void remember_database() {
@@ -299,6 +342,7 @@ std::int64_t Writer::begin_study(const Study& study) {
       add_variable.exec();
       add_variable.reset();
     }
+    lock_->claim(id);  // before anybody can see it
     transaction.commit();
     return id;
   });
@@ -349,6 +393,9 @@ void Writer::resume_study(std::int64_t study) {
     SQLite::Statement update(*db_, "UPDATE study SET status = 'running' WHERE id = ?");
     update.bind(1, study);
     if (update.exec() != 1) throw StoreError(fmt::format("has no study {}", study));
+    if (!lock_->claim(study))
+      throw StoreError(
+          fmt::format("has study {} under way in another program; follow it, or end that one first", study));
     transaction.commit();
   });
 }
@@ -367,6 +414,7 @@ void Writer::finish_study(std::int64_t study, std::optional<std::int64_t> baseli
     update.bind(5, study);
     update.exec();
     transaction.commit();
+    lock_->disclaim(study);
   });
 }
 
@@ -519,6 +567,7 @@ std::vector<StudyHeader> Reader::studies(std::int64_t limit, std::int64_t offset
     q.bind(2, offset);
     std::vector<StudyHeader> all;
     while (q.executeStep()) all.push_back(study_header(q));
+    for (StudyHeader& header : all) header.status = present_status(*db_, file_, header.id, header.status);
     return all;
   });
 }
@@ -528,7 +577,7 @@ std::int64_t Reader::study_count() const {
 }
 
 std::optional<Study> Reader::study(std::int64_t id, bool trials) const {
-  return naming(file_, [&]() -> std::optional<Study> {
+  auto found = naming(file_, [&]() -> std::optional<Study> {
     SQLite::Transaction snapshot(*db_);
     Study study;
     {
@@ -578,6 +627,10 @@ std::optional<Study> Reader::study(std::int64_t id, bool trials) const {
     }
     return study;
   });
+  if (found)
+    found->header.status =
+        naming(file_, [&] { return present_status(*db_, file_, id, found->header.status); });
+  return found;
 }
 
 }  // namespace verstat::store

@@ -46,7 +46,8 @@ class Writer {
   void set_durable(bool durable);
   /// Notes a run that belongs to a study: its baseline, or else its best.
   void set_study_run(std::int64_t study, bool baseline, std::int64_t run);
-  /// An interrupted or running study goes on. Throws StoreError when there is no such study.
+  /// An interrupted study goes on, and one whose program was killed. Throws StoreError when there is no such
+  /// study, or when it is under way in another program.
   void resume_study(std::int64_t study);
   /// Closes a study, or notes how far it came.
   void finish_study(std::int64_t study, std::optional<std::int64_t> baseline_run,
@@ -61,6 +62,14 @@ class Writer {
   std::unique_ptr<Lock> lock_;
   std::unique_ptr<SQLite::Database> db_;
 };
+
+/// Whether a program that runs study `id` lives: each holds a lock on its study, which the system releases
+/// even when the program is killed. True, too, where the file system cannot tell.
+[[nodiscard]] bool study_under_way(const std::filesystem::path& database, std::int64_t id);
+/// Status of a study that was read as `recorded` from `db`, the database `file`: one that is recorded as
+/// running and is not under way is "interrupted". Not within a transaction.
+[[nodiscard]] std::string present_status(SQLite::Database& db, const std::filesystem::path& file,
+                                         std::int64_t id, const std::string& recorded);
 
 class Reader {
  public:

@@ -228,29 +228,33 @@ ListPage<StudyHeader> Listing::studies(const ListQuery& query) const {
     const std::string* column = column_of(study_columns_of_sorts, query.sort);
     // Trials are counted for the rows of the page only: the inner query cuts first.
     SQLite::Statement q(
-        *db_, fmt::format(
-                  "SELECT id, name, scenario_name, status, objective, "
-                  "(SELECT count(*) FROM trial WHERE trial.study_id = page.id), seed, version, platform, "
-                  "created FROM (SELECT study.id AS id, study.name AS name, scenario.name AS scenario_name, "
-                  "study.status AS status, study.objective AS objective, study.seed AS seed, "
-                  "study.version AS version, study.platform AS platform, study.created AS created, "
-                  "row_number() OVER (ORDER BY {0} {1}, study.id DESC) AS place "
-                  "FROM study JOIN scenario ON scenario.id = study.scenario_id WHERE {2} "
-                  "ORDER BY place LIMIT ? OFFSET ?) AS page ORDER BY place",
-                  column != nullptr ? *column : "study.id", query.descending ? "DESC" : "ASC", where.sql));
+        *db_,
+        fmt::format("SELECT id, name, scenario_name, status, objective, "
+                    "(SELECT count(*) FROM trial WHERE trial.study_id = page.id), seed, version, platform, "
+                    "created, kind FROM (SELECT study.id AS id, study.kind AS kind, study.name AS name, "
+                    "scenario.name AS scenario_name, "
+                    "study.status AS status, study.objective AS objective, study.seed AS seed, "
+                    "study.version AS version, study.platform AS platform, study.created AS created, "
+                    "row_number() OVER (ORDER BY {0} {1}, study.id DESC) AS place "
+                    "FROM study JOIN scenario ON scenario.id = study.scenario_id WHERE {2} "
+                    "ORDER BY place LIMIT ? OFFSET ?) AS page ORDER BY place",
+                    column != nullptr ? *column : "study.id", query.descending ? "DESC" : "ASC", where.sql));
     int index = bind_all(q, where.values);
     q.bind(++index, query.limit);
     q.bind(++index, query.offset);
     while (q.executeStep())
-      page.rows.push_back({.id = q.getColumn(0).getInt64(),
-                           .name = q.getColumn(1).getString(),
-                           .scenario_name = q.getColumn(2).getString(),
-                           .status = q.getColumn(3).getString(),
-                           .objective = q.getColumn(4).getString(),
-                           .trials = q.getColumn(5).getInt64(),
-                           .seed = std::stoull(q.getColumn(6).getString()),
-                           .provenance = {q.getColumn(7).getString(), q.getColumn(8).getString(),
-                                          q.getColumn(9).getString()}});
+      page.rows.push_back(
+          {.id = q.getColumn(0).getInt64(),
+           .name = q.getColumn(1).getString(),
+           .scenario_name = q.getColumn(2).getString(),
+           .status = q.getColumn(3).getString(),
+           .objective = q.getColumn(4).getString(),
+           .trials = q.getColumn(5).getInt64(),
+           .seed = std::stoull(q.getColumn(6).getString()),
+           .provenance = {q.getColumn(7).getString(), q.getColumn(8).getString(), q.getColumn(9).getString()},
+           .kind = q.getColumn(10).getString()});
+    for (StudyHeader& header : page.rows)
+      header.status = present_status(*db_, file_, header.id, header.status);
     return page;
   });
 }

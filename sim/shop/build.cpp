@@ -71,6 +71,7 @@ Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication, Trace
       labour_(std::make_unique<Labour>(scenario, sim_, costs_)),
       tools_(scenario.tools.size()),
       parts_(scenario.parts.size()) {
+  labour_->record(trace);
   build_operations();
   build_machines();
   build_tools();

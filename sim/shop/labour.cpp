@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sim/shop/trace.h"
+
 namespace verstat::shop {
 
 CrewHold& CrewHold::operator=(CrewHold&& other) noexcept {
@@ -180,6 +182,13 @@ void Labour::book(Job& job, double now_min) {
         member_min * (1 - crew.working_time->working_min(job.since_min, now_min) / (now_min - job.since_min));
   if (crew.spec->pay == scenarios::CrewPay::busy)
     costs_->book(job.heading, member_min * crew.spec->rate_per_min);
+  if (trace_ != nullptr && now_min > job.since_min)
+    trace_->crew_work({.crew = job.crew,
+                       .hands = job.hands,
+                       .heading = job.heading,
+                       .machine = job.machine == nowhere ? std::nullopt : std::optional(job.machine),
+                       .from_min = job.since_min,
+                       .to_min = now_min});
   job.since_min = now_min;
 }
 

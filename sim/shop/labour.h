@@ -17,6 +17,7 @@
 namespace verstat::shop {
 
 class Labour;
+class Trace;
 
 /// A member of a crew at work. Gives the member back when it goes out of scope.
 class [[nodiscard]] CrewHold {
@@ -74,6 +75,8 @@ class Labour {
 
   /// Nobody is served any more: processes are ended in any order, and holds among them go out of scope.
   void close() noexcept { closed_ = true; }
+  /// From now on `trace`, unless null, is told who worked where; it must outlive the crews.
+  void record(Trace* trace) noexcept { trace_ = trace; }
   /// Starts the processes that open and close shifts.
   void start();
   void reset_counts(double now_min);
@@ -126,6 +129,7 @@ class Labour {
 
   sim::Simulation* sim_;
   Costs* costs_;
+  Trace* trace_ = nullptr;
   bool closed_ = false;
   std::vector<Crew> crews_;
   std::vector<Job> jobs_;

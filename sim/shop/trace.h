@@ -3,8 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
+#include "sim/shop/costs.h"
 #include "sim/shop/state_clock.h"
 
 namespace verstat::shop {
@@ -33,6 +35,16 @@ class Trace {
     double finished_min;
   };
 
+  /// Some hands of a crew at one job. A job under way at the end of the warm-up comes in two pieces.
+  struct CrewWork {
+    std::size_t crew;
+    std::int64_t hands;
+    Cost heading;  ///< what their wage is booked under
+    std::optional<std::size_t> machine;
+    double from_min;
+    double to_min;
+  };
+
   void machine_state(std::size_t machine, double at_min, MachineState state) {
     states_.push_back({machine, at_min, state});
   }
@@ -50,6 +62,8 @@ class Trace {
     edges_.push_back({tool, machine, at_min, life_min, failed});
   }
 
+  void crew_work(const CrewWork& work) { crew_work_.push_back(work); }
+
   struct EdgeRemoved {
     std::size_t tool;
     std::size_t machine;
@@ -62,6 +76,8 @@ class Trace {
   [[nodiscard]] const std::vector<QueueLength>& queues() const { return queues_; }
   [[nodiscard]] const std::vector<Finished>& finished() const { return finished_; }
   [[nodiscard]] const std::vector<EdgeRemoved>& edges() const { return edges_; }
+  /// In the order in which the pieces ended.
+  [[nodiscard]] const std::vector<CrewWork>& crew_work() const { return crew_work_; }
 
  private:
   std::vector<StateChange> states_;
@@ -69,6 +85,7 @@ class Trace {
   std::vector<QueueLength> queues_;
   std::vector<Finished> finished_;
   std::vector<EdgeRemoved> edges_;
+  std::vector<CrewWork> crew_work_;
 };
 
 }  // namespace verstat::shop

@@ -1,12 +1,16 @@
 #include "sim/shop/trace_export.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <map>
 #include <set>
+#include <stdexcept>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "scenarios/calendar.h"
 #include "scenarios/route.h"
 #include "sim/shop/kpis.h"
 
@@ -98,11 +102,173 @@ std::vector<BottleneckShare> shifting_bottleneck(const std::vector<std::vector<S
   return shares;
 }
 
+namespace {
+
+// Times in which nobody works: on shift they are free.
+void fill(CrewRow& row, double from_min, double to_min, const scenarios::WorkingTime* working_time) {
+  for (double at = from_min; at < to_min;) {
+    const bool open = working_time == nullptr || working_time->open(at);
+    const double next =
+        working_time == nullptr ? to_min : std::min(to_min, working_time->next_change_min(at));
+    row.intervals.push_back({at, next, open ? "free" : "off_shift", std::nullopt});
+    at = next;
+  }
+}
+
+}  // namespace
+
+std::vector<CrewRow> crew_rows(const scenarios::Scenario& scenario, const Trace& trace) {
+  const double horizon_min = scenario.simulation.horizon_min;
+  std::vector<std::vector<Trace::CrewWork>> work(scenario.crews.size());
+  for (const Trace::CrewWork& w : trace.crew_work()) work[w.crew].push_back(w);
+  std::vector<CrewRow> all;
+  for (std::size_t k = 0; k < scenario.crews.size(); ++k) {
+    const scenarios::Crew& crew = scenario.crews[k];
+    std::optional<scenarios::WorkingTime> working_time;
+    if (const auto* calendar = scenarios::find_named(scenario.calendars, crew.calendar))
+      working_time.emplace(*calendar);
+    const auto* open = working_time ? &*working_time : nullptr;
+    std::vector<CrewRow> rows;
+    for (std::int64_t m = 1; m <= crew.members; ++m)
+      for (std::int64_t hand = 1; hand <= crew.machines_per_member; ++hand) {
+        std::string name = crew.name;
+        if (crew.members > 1 || crew.machines_per_member > 1) name += fmt::format(" {}", m);
+        if (crew.machines_per_member > 1) name += fmt::format(".{}", hand);
+        rows.push_back({std::move(name), k, {}});
+      }
+    std::vector<double> busy_until(rows.size(), 0);
+    std::stable_sort(work[k].begin(), work[k].end(),
+                     [](const auto& a, const auto& b) { return a.from_min < b.from_min; });
+    for (const Trace::CrewWork& w : work[k]) {
+      std::int64_t needed = w.hands;
+      for (std::size_t r = 0; r < rows.size() && needed > 0; ++r) {
+        if (busy_until[r] > w.from_min) continue;
+        fill(rows[r], busy_until[r], w.from_min, open);
+        rows[r].intervals.push_back(
+            {w.from_min, w.to_min, w.heading == Cost::labour ? "tending" : name_of(w.heading), w.machine});
+        busy_until[r] = w.to_min;
+        --needed;
+      }
+      if (needed > 0) throw std::logic_error(fmt::format("crew {} has more work than hands", crew.name));
+    }
+    for (std::size_t r = 0; r < rows.size(); ++r) fill(rows[r], busy_until[r], horizon_min, open);
+    std::move(rows.begin(), rows.end(), std::back_inserter(all));
+  }
+  return all;
+}
+
 std::vector<std::string> machine_names(const scenarios::Scenario& scenario) {
   std::vector<std::string> names;
   for (const scenarios::Machine& machine : scenario.machines)
     for (std::int64_t k = 0; k < machine.count; ++k) names.push_back(machine_name(machine, k));
   return names;
+}
+
+namespace {
+
+ordered_json calendar_of(const std::string& name) {
+  return name.empty() ? ordered_json(nullptr) : ordered_json(name);
+}
+
+// The shifts of every calendar, days counted from Monday.
+ordered_json shifts_json(const scenarios::Scenario& scenario) {
+  ordered_json all = ordered_json::object();
+  for (const scenarios::Calendar& calendar : scenario.calendars) {
+    ordered_json shifts = ordered_json::array();
+    for (const scenarios::Shift& shift : calendar.shifts) {
+      ordered_json days = ordered_json::array();
+      for (const scenarios::Weekday day : shift.days) days.push_back(static_cast<int>(day));
+      shifts.push_back({{"days", std::move(days)}, {"from_h", shift.from_h}, {"to_h", shift.to_h}});
+    }
+    all[calendar.name] = std::move(shifts);
+  }
+  return all;
+}
+
+std::string quoted(const std::string& text) {
+  return ordered_json(text).dump();
+}
+
+// [a,b,c] of what `value` makes of each entry.
+template <class Range, class Value>
+void write_list(std::ostream& out, const Range& range, Value&& value) {
+  out << '[';
+  bool first = true;
+  for (const auto& entry : range) {
+    if (!first) out << ',';
+    out << fmt::format("{}", value(entry));
+    first = false;
+  }
+  out << ']';
+}
+
+double rounded(double time_min) {
+  return std::round(time_min * 1e4) / 1e4;
+}
+
+}  // namespace
+
+void write_compact(std::ostream& out, const scenarios::Scenario& scenario, const Trace& trace) {
+  const std::vector<std::string> names = machine_names(scenario);
+  const auto intervals = state_intervals(trace, names.size(), scenario.simulation.horizon_min);
+  const std::vector<CrewRow> crews = crew_rows(scenario, trace);
+  std::vector<std::string_view> states;
+  const auto place_of = [&](std::string_view state) {
+    const auto found = std::find(states.begin(), states.end(), state);
+    const auto place = static_cast<std::size_t>(found - states.begin());
+    if (found == states.end()) states.push_back(state);
+    return place;
+  };
+  const auto until = [](const auto& interval) { return rounded(interval.to_min); };
+  out << fmt::format("{{\"scenario\":{},\"warmup_min\":{},\"horizon_min\":{},\n\"machines\":[",
+                     quoted(scenario.name), scenario.simulation.warmup_min, scenario.simulation.horizon_min);
+  std::size_t m = 0;
+  for (const scenarios::Machine& machine : scenario.machines)
+    for (std::int64_t k = 0; k < machine.count; ++k, ++m) {
+      out << fmt::format("{}\n{{\"name\":{},\"group\":{},\"calendar\":{},\"until\":", m == 0 ? "" : ",",
+                         quoted(names[m]), quoted(machine.name), calendar_of(machine.calendar).dump());
+      write_list(out, intervals[m], until);
+      out << ",\"state\":";
+      write_list(out, intervals[m], [&](const StateInterval& i) { return place_of(name_of(i.state)); });
+      out << '}';
+    }
+  out << "],\n\"crews\":[";
+  for (std::size_t r = 0; r < crews.size(); ++r) {
+    const scenarios::Crew& crew = scenario.crews[crews[r].crew];
+    out << fmt::format("{}\n{{\"name\":{},\"crew\":{},\"calendar\":{},\"until\":", r == 0 ? "" : ",",
+                       quoted(crews[r].name), quoted(crew.name), calendar_of(crew.calendar).dump());
+    write_list(out, crews[r].intervals, until);
+    out << ",\"state\":";
+    write_list(out, crews[r].intervals, [&](const CrewInterval& i) { return place_of(i.doing); });
+    out << ",\"machine\":";
+    write_list(out, crews[r].intervals,
+               [](const CrewInterval& i) { return i.machine ? static_cast<std::int64_t>(*i.machine) : -1; });
+    out << '}';
+  }
+  out << "],\n\"states\":" << ordered_json(states).dump() << ",\n\"shifts\":" << shifts_json(scenario).dump();
+  out << ",\n\"queues\":[";
+  std::vector<std::vector<Trace::QueueLength>> queues(scenario.machines.size());
+  for (const Trace::QueueLength& q : trace.queues()) queues[q.group].push_back(q);
+  bool first = true;
+  for (std::size_t g = 0; g < queues.size(); ++g) {
+    if (queues[g].empty()) continue;
+    out << fmt::format("{}\n{{\"name\":{},\"at\":", first ? "" : ",", quoted(scenario.machines[g].name));
+    first = false;
+    write_list(out, queues[g], [](const Trace::QueueLength& q) { return rounded(q.at_min); });
+    out << ",\"waiting\":";
+    write_list(out, queues[g], [](const Trace::QueueLength& q) { return q.waiting; });
+    out << '}';
+  }
+  out << "],\n\"parts\":{\"arrived\":";
+  write_list(out, trace.finished(), [](const Trace::Finished& p) { return rounded(p.arrived_min); });
+  out << ",\"finished\":";
+  write_list(out, trace.finished(), [](const Trace::Finished& p) { return rounded(p.finished_min); });
+  out << "},\n\"edges\":";
+  write_list(out, trace.edges(), [&](const Trace::EdgeRemoved& e) {
+    return fmt::format("[{},{},{},{},\"{}\"]", quoted(scenario.tools[e.tool].name), quoted(names[e.machine]),
+                       rounded(e.at_min), rounded(e.life_min), e.failed ? "failed" : "planned");
+  });
+  out << "}\n";
 }
 
 void write_json(std::ostream& out, const scenarios::Scenario& scenario, const Trace& trace) {
@@ -113,19 +279,34 @@ void write_json(std::ostream& out, const scenarios::Scenario& scenario, const Tr
   ordered_json document = {{"scenario", scenario.name},
                            {"warmup_min", scenario.simulation.warmup_min},
                            {"horizon_min", horizon_min}};
-  std::vector<std::string> groups;
+  std::vector<const scenarios::Machine*> groups;
   for (const scenarios::Machine& machine : scenario.machines)
-    groups.insert(groups.end(), static_cast<std::size_t>(machine.count), machine.name);
+    groups.insert(groups.end(), static_cast<std::size_t>(machine.count), &machine);
   document["machines"] = ordered_json::array();
   for (std::size_t m = 0; m < names.size(); ++m) {
     ordered_json rows = ordered_json::array();
     for (const StateInterval& i : intervals[m]) rows.push_back({i.from_min, i.to_min, name_of(i.state)});
     document["machines"].push_back(
         {{"name", names[m]},
-         {"group", groups[m]},
+         {"group", groups[m]->name},
+         {"calendar", calendar_of(groups[m]->calendar)},
          {"bottleneck", {{"sole", shares[m].sole}, {"shifting", shares[m].shifting}}},
          {"intervals", std::move(rows)}});
   }
+  document["crews"] = ordered_json::array();
+  for (const CrewRow& row : crew_rows(scenario, trace)) {
+    ordered_json rows = ordered_json::array();
+    for (const CrewInterval& i : row.intervals) {
+      rows.push_back({i.from_min, i.to_min, i.doing});
+      if (i.machine) rows.back().push_back(names[*i.machine]);
+    }
+    const scenarios::Crew& crew = scenario.crews[row.crew];
+    document["crews"].push_back({{"name", row.name},
+                                 {"crew", crew.name},
+                                 {"calendar", calendar_of(crew.calendar)},
+                                 {"intervals", std::move(rows)}});
+  }
+  document["shifts"] = shifts_json(scenario);
   document["steps"] = ordered_json::array();
   for (const Trace::PartStep& s : trace.part_steps())
     document["steps"].push_back({scenario.parts[s.part].name, s.step, names[s.machine], s.at_min});
@@ -153,11 +334,16 @@ std::string csv_text(const std::string& text) {
 
 void write_csv(std::ostream& out, const scenarios::Scenario& scenario, const Trace& trace) {
   const std::vector<std::string> names = machine_names(scenario);
-  out << "machine,state,from_min,to_min\n";
+  out << "kind,name,state,from_min,to_min,machine\n";
   const auto intervals = state_intervals(trace, names.size(), scenario.simulation.horizon_min);
   for (std::size_t m = 0; m < names.size(); ++m)
     for (const StateInterval& i : intervals[m])
-      out << fmt::format("{},{},{},{}\n", csv_text(names[m]), name_of(i.state), i.from_min, i.to_min);
+      out << fmt::format("machine,{0},{1},{2},{3},{0}\n", csv_text(names[m]), name_of(i.state), i.from_min,
+                         i.to_min);
+  for (const CrewRow& row : crew_rows(scenario, trace))
+    for (const CrewInterval& i : row.intervals)
+      out << fmt::format("crew,{},{},{},{},{}\n", csv_text(row.name), i.doing, i.from_min, i.to_min,
+                         i.machine ? csv_text(names[*i.machine]) : "");
 }
 
 void write_chrome(std::ostream& out, const scenarios::Scenario& scenario, const Trace& trace) {
@@ -170,6 +356,8 @@ void write_chrome(std::ostream& out, const scenarios::Scenario& scenario, const 
     out << (first ? "\n" : ",\n") << event.dump();
     first = false;
   };
+  for (const auto& [pid, name] : {std::pair{1, "machines"}, std::pair{2, "crews"}})
+    put({{"ph", "M"}, {"pid", pid}, {"name", "process_name"}, {"args", {{"name", name}}}});
   for (std::size_t m = 0; m < names.size(); ++m) {
     put({{"ph", "M"}, {"pid", 1}, {"tid", m}, {"name", "thread_name"}, {"args", {{"name", names[m]}}}});
     for (const StateInterval& i : intervals[m])
@@ -179,6 +367,18 @@ void write_chrome(std::ostream& out, const scenarios::Scenario& scenario, const 
            {"name", name_of(i.state)},
            {"ts", i.from_min * shown_us_per_min},
            {"dur", (i.to_min - i.from_min) * shown_us_per_min}});
+  }
+  const std::vector<CrewRow> crews = crew_rows(scenario, trace);
+  for (std::size_t r = 0; r < crews.size(); ++r) {
+    put({{"ph", "M"}, {"pid", 2}, {"tid", r}, {"name", "thread_name"}, {"args", {{"name", crews[r].name}}}});
+    for (const CrewInterval& i : crews[r].intervals)
+      put({{"ph", "X"},
+           {"pid", 2},
+           {"tid", r},
+           {"name", i.doing},
+           {"ts", i.from_min * shown_us_per_min},
+           {"dur", (i.to_min - i.from_min) * shown_us_per_min},
+           {"args", {{"machine", i.machine ? names[*i.machine] : ""}}}});
   }
   for (const Trace::QueueLength& q : trace.queues())
     put({{"ph", "C"},

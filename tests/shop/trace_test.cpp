@@ -1,6 +1,10 @@
 // The trace agrees with the KPIs; the shifting bottleneck is the machine that it must be.
+#include <algorithm>
+#include <fstream>
 #include <sstream>
 
+#include "scenarios/calendar.h"
+#include "sim/shop/kpis.h"
 #include "sim/shop/trace_export.h"
 #include "tests/shop/small_shop.h"
 
@@ -70,4 +74,86 @@ TEST_CASE("shifting bottleneck of a hand-made history", "[shop][trace]") {
   CHECK(shares[0].shifting == Approx(2.0 / 25));
   CHECK(shares[1].sole == Approx(10.0 / 25));
   CHECK(shares[1].shifting == Approx(2.0 / 25));
+}
+
+TEST_CASE("crews in the trace work as long as their utilization says, never twice at a time",
+          "[shop][trace]") {
+  std::ifstream file("scenarios/gallery/pump-shop.json");
+  REQUIRE(file);
+  const scenarios::Scenario s = scenarios::load(json::parse(file));
+  shop::Trace trace;
+  shop::Shop one(s, 3, &trace);
+  const auto values = one.run();
+  const auto kpis = shop::kpi_infos(s);
+  const auto rows = shop::crew_rows(s, trace);
+  std::size_t hands = 0;
+  for (const auto& crew : s.crews) hands += static_cast<std::size_t>(crew.members * crew.machines_per_member);
+  REQUIRE(rows.size() == hands);
+  std::vector<double> busy_min(s.crews.size(), 0);
+  const double warmup_min = s.simulation.warmup_min;
+  for (const shop::CrewRow& row : rows) {
+    double at = 0;
+    for (const shop::CrewInterval& i : row.intervals) {
+      REQUIRE(i.from_min == at);
+      REQUIRE(i.to_min > at);
+      at = i.to_min;
+      const bool works = i.doing != "free" && i.doing != "off_shift";
+      CHECK((works || !i.machine));
+      if (works)
+        busy_min[row.crew] += std::max(0.0, i.to_min - std::max(warmup_min, i.from_min)) /
+                              static_cast<double>(s.crews[row.crew].machines_per_member);
+    }
+    CHECK(at == s.simulation.horizon_min);
+  }
+  for (std::size_t k = 0; k < s.crews.size(); ++k) {
+    const auto* calendar = scenarios::find_named(s.calendars, s.crews[k].calendar);
+    const double open_min = calendar == nullptr ? s.simulation.horizon_min - warmup_min
+                                                : scenarios::WorkingTime(*calendar).working_min(
+                                                      warmup_min, s.simulation.horizon_min);
+    const auto kpi = std::find_if(kpis.begin(), kpis.end(), [&](const auto& info) {
+      return info.name == "crew/" + s.crews[k].name + "/utilization";
+    });
+    REQUIRE(kpi != kpis.end());
+    const auto utilization = values.at(static_cast<std::size_t>(kpi - kpis.begin()));
+    REQUIRE(utilization);
+    CHECK(*utilization > 0.01);
+    CHECK(busy_min[k] / (open_min * static_cast<double>(s.crews[k].members)) ==
+          Approx(*utilization).epsilon(1e-9));
+  }
+
+  // Every form tells the same.
+  std::ostringstream full_text;
+  std::ostringstream compact_text;
+  std::ostringstream csv;
+  shop::write_json(full_text, s, trace);
+  shop::write_compact(compact_text, s, trace);
+  shop::write_csv(csv, s, trace);
+  const json full = json::parse(full_text.str());
+  const json compact = json::parse(compact_text.str());
+  CHECK(compact_text.str().size() * 3 < full_text.str().size());
+  std::size_t lines = 1;
+  for (const char* list : {"machines", "crews"}) {
+    REQUIRE(full.at(list).size() == compact.at(list).size());
+    for (std::size_t r = 0; r < full.at(list).size(); ++r) {
+      const json& intervals = full.at(list).at(r).at("intervals");
+      const json& row = compact.at(list).at(r);
+      lines += intervals.size();
+      REQUIRE(row.at("until").size() == intervals.size());
+      for (std::size_t k = 0; k < intervals.size(); ++k) {
+        const double until = row.at("until").at(k).get<double>();
+        REQUIRE(std::abs(until - intervals.at(k).at(1).get<double>()) <= 0.5001e-4);
+        REQUIRE(compact.at("states").at(row.at("state").at(k).get<std::size_t>()) == intervals.at(k).at(2));
+        const int machine = row.contains("machine") ? row.at("machine").at(k).get<int>() : -1;
+        if (machine < 0) continue;
+        REQUIRE(intervals.at(k).size() == 4);
+        REQUIRE(compact.at("machines").at(static_cast<std::size_t>(machine)).at("name") ==
+                intervals.at(k).at(3));
+      }
+    }
+  }
+  const std::string text = csv.str();
+  CHECK(static_cast<std::size_t>(std::count(text.begin(), text.end(), '\n')) == lines);
+  CHECK(full.at("edges").size() == compact.at("edges").size());
+  CHECK(compact.at("shifts").at("day shift").at(0).at("from_h") == 7);
+  CHECK(full.at("shifts") == compact.at("shifts"));
 }

@@ -1,5 +1,6 @@
 // Databases written by older programs open, keep everything, and are kept themselves.
 #include <cmath>
+#include <csignal>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include "store/database.h"
+#include "store/listing.h"
 
 using namespace verstat::store;
 namespace fs = std::filesystem;
@@ -98,6 +100,43 @@ TEST_CASE("a trial is stored once, by the bits of its variables and its replicat
   CHECK(back->trials[2].outcome.at(2) == 0.1 + 0.2);
   CHECK(std::isnan(back->trials[2].outcome.at(1)));
   CHECK_THROWS_WITH(writer.resume_study(99), Catch::Contains("has no study 99"));
+}
+
+TEST_CASE(
+    "a study whose program was killed reads as interrupted, and goes on; one that lives is left alone") {
+  const Folder folder;
+  const fs::path file = folder.path / "killed.db";
+  Study study;
+  study.scenario_text = "{}";
+  study.changes = "[]";
+  int to_parent[2];
+  REQUIRE(::pipe(to_parent) == 0);
+  const pid_t child = ::fork();
+  if (child == 0) {
+    Writer writer(file);
+    const std::int64_t id = writer.begin_study(study);
+    static_cast<void>(::write(to_parent[1], &id, sizeof id));
+    for (;;) ::pause();
+  }
+  std::int64_t id = 0;
+  REQUIRE(::read(to_parent[0], &id, sizeof id) == sizeof id);
+  Writer here(file);
+  const auto listed = [&] { return Listing(file).studies({}).rows.at(0).status; };
+  CHECK(study_under_way(file, id));
+  CHECK(Reader(file).study(id)->header.status == "running");
+  CHECK(listed() == "running");
+  CHECK_THROWS_WITH(here.resume_study(id), Catch::Contains("under way in another program"));
+  ::kill(child, SIGKILL);
+  REQUIRE(::waitpid(child, nullptr, 0) == child);
+  CHECK_FALSE(study_under_way(file, id));
+  CHECK(Reader(file).study(id)->header.status == "interrupted");
+  CHECK(Reader(file).studies().at(0).status == "interrupted");
+  CHECK(listed() == "interrupted");
+  here.resume_study(id);
+  CHECK(Reader(file).study(id)->header.status == "running");
+  here.finish_study(id, std::nullopt, std::nullopt, "{}", "finished");
+  CHECK(listed() == "finished");
+  CHECK_FALSE(study_under_way(file, id));
 }
 
 TEST_CASE("a long study leaves room for other writers") {

@@ -223,7 +223,8 @@ TEST_CASE("the trace of one replication is kept and handed out, of the newest jo
   CHECK(last["state"] == "finished");
   CHECK(last["result"]["of_run"] == 1);
   const Answer output = serving.get(fmt::format("/api/v1/jobs/{}/output", count));
-  CHECK(output.parsed()["machines"] == "trace scenario.json --format json --replication 1 --set /seed=0.1");
+  CHECK(output.parsed()["machines"] ==
+        "trace scenario.json --format compact --replication 1 --set /seed=0.1");
   CHECK(serving.get("/api/v1/jobs/2/output").status == 200);
   CHECK(serving.get("/api/v1/jobs/1/output").status == 404);
 }
@@ -386,4 +387,19 @@ echo '{"study": 4}'
   CHECK(words()[0] == "sweep");
   CHECK(words()[1] == "--resume");
   CHECK(words()[2] == std::to_string(id));
+
+  // A program that was killed leaves its study "running": nobody holds it, so it may go on.
+  {
+    store::Writer writer(serving.file());
+    store::Study study = store::Reader(serving.file()).study(1).value();
+    study.header.kind = "optimize";
+    id = writer.begin_study(study);
+    const std::string body = fmt::format(R"({{"kind": "resume", "study": {}}})", id);
+    CHECK(serving.get(fmt::format("/api/v1/studies/{}", id)).parsed()["status"] == "running");
+    CHECK(serving.post("/api/v1/jobs", body).status == 409);
+  }
+  CHECK(serving.get(fmt::format("/api/v1/studies/{}", id)).parsed()["status"] == "interrupted");
+  CHECK(serving.get("/api/v1/studies").parsed()["studies"][0]["status"] == "interrupted");
+  CHECK(serving.post("/api/v1/jobs", fmt::format(R"({{"kind": "resume", "study": {}}})", id)).status == 202);
+  CHECK(wait_for(serving, 3)["state"] == "finished");
 }

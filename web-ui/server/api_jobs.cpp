@@ -170,7 +170,7 @@ JobSpec trace_job(const Call& call, const json& body) {
       .kind = "trace",
       .title = fmt::format("{} ({})", stored.run.header.scenario_name, id),
       .arguments = with_changes(
-          {"trace", "scenario.json", "--format", "json", "--replication", std::to_string(replication)},
+          {"trace", "scenario.json", "--format", "compact", "--replication", std::to_string(replication)},
           stored.changes),
       .files = {{"scenario.json", stored.run.scenario_text}},
       .keep_output = true,

@@ -28,7 +28,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::seconds grace{5};
 constexpr int poll_ms = 50;
 // What a child prints is an answer of the command line; a larger one is not kept.
-constexpr std::size_t most_output = 32U << 20U;
+constexpr std::size_t most_output = 256U << 20U;  // a year of sixty machines takes 90 MB
 constexpr std::size_t longest_line = 64U << 10U;
 // Below the server: pages must answer while a study has all cores.
 constexpr int child_niceness = 5;
@@ -338,8 +338,13 @@ class Jobs::Queue {
       if (state == JobState::finished && spec.keep_output) {
         job.status.output = std::make_shared<const std::string>(std::move(output));
         std::size_t kept = 0;
-        for (auto one = jobs_.rbegin(); one != jobs_.rend(); ++one)
-          if (one->second.status.output && ++kept > most_outputs) one->second.status.output = nullptr;
+        std::size_t bytes = 0;
+        for (auto one = jobs_.rbegin(); one != jobs_.rend(); ++one) {
+          auto& kept_output = one->second.status.output;
+          if (!kept_output) continue;
+          bytes += kept_output->size();
+          if (++kept > most_outputs || (kept > 1 && bytes > most_output)) kept_output = nullptr;
+        }
       }
       job.status.elapsed_s = seconds_since(job.start);
       ++job.status.version;
@@ -376,7 +381,10 @@ class Jobs::Queue {
       message = last_words.empty() ? fmt::format("the program ended with code {}", code) : last_words;
       return asked ? JobState::cancelled : JobState::failed;
     }
-    if (out.size() > most_output) throw std::runtime_error("the program's answer is too large to keep");
+    if (out.size() > most_output)
+      throw std::runtime_error(
+          fmt::format("the answer is longer than the {} MiB that are kept; shorten /simulation/horizon_min",
+                      most_output >> 20U));
     result = spec.finish ? spec.finish(out) : std::string();
     return JobState::finished;
   }

@@ -1,5 +1,6 @@
 // The server's REST interface. Every page asks through here; nothing else is ever requested.
 
+import { t } from './i18n';
 import { readEvents } from './logic/events';
 import type { Annotation, Change, CheckResult, CutPlan, Job, JsonSchema, KindList, ModelFunction, ModelList, ModelMap, Run, RunPage, RunScenario, Study, StudyPage, SweepResult, TagList, TrialPage, Version } from './types';
 
@@ -80,11 +81,17 @@ async function get<T>(path: string, signal?: AbortSignal): Promise<T> {
   return (await request(path, signal ? { signal } : {})).json() as Promise<T>;
 }
 
+/** What `verstat serve` takes at once. It hangs up on more, which a page could not tell from a server that is gone. */
+const mostBytes = 4 * 1024 * 1024;
+
 async function send<T>(method: 'POST' | 'PUT' | 'DELETE', path: string, body?: unknown, signal?: AbortSignal): Promise<T> {
+  const text = body === undefined ? undefined : JSON.stringify(body);
+  const size = text === undefined ? 0 : new Blob([text]).size;
+  if (size > mostBytes) throw new ApiError(413, t('state.tooLarge', { size: (size / 1048576).toFixed(1), most: mostBytes / 1048576 }));
   const response = await request(path, {
     method,
     headers: { 'X-Verstat': '1', ...(body === undefined ? {} : { 'Content-Type': 'application/json' }) },
-    ...(body === undefined ? {} : { body: JSON.stringify(body) }),
+    ...(text === undefined ? {} : { body: text }),
     ...(signal ? { signal } : {}),
   });
   return response.json() as Promise<T>;

@@ -1,6 +1,5 @@
 import { describe, expect, it } from 'vitest';
 import { frontPlans, lossesOf, pricedLosses, sensitivityOf } from '../src/logic/answer';
-import { edgeRows, hourShares, partsInShop, readTrace } from '../src/logic/gantt';
 import { entities } from '../src/logic/kpis';
 import { decode, headers } from '../src/logic/ownData';
 import { bottleneck, e10Groups, e10Shares, empiricalQuantile, leadTimePhases, partFlows } from '../src/logic/shop';
@@ -67,33 +66,6 @@ describe('the shop in a run', () => {
   it('what stands below a tool’s groups belongs to the tool, names may hold slashes', () => {
     const all = entities([kpi('tool/a/failures', 1), kpi('tool/a/edges/used', 2), kpi('tool/b/c/failures', 3)], 'tool');
     expect(all.map((e) => [e.name, e.kpis.map((k) => k.key)])).toEqual([['a', ['failures', 'edges/used']], ['b/c', ['failures']]]);
-  });
-});
-
-describe('a trace', () => {
-  it('shows each edge from the one before it; teeth of one tool come out together', () => {
-    expect(edgeRows([['t', 'm', 10, 5, 'planned'], ['t', 'm', 30, 9, 'planned'], ['t', 'm', 30, 9, 'failed'], ['u', 'm', 4, 4, 'failed']])).toEqual([
-      { name: 'm: t', tool: true, intervals: [[0, 10, 'edge_planned'], [10, 30, 'edge_failed']] },
-      { name: 'm: u', tool: true, intervals: [[0, 4, 'edge_failed']] },
-    ]);
-    expect(() => edgeRows([['t', 'm']])).toThrow('/edges/0');
-    expect(readTrace({ machines: [{ name: 'm', intervals: [[0, 40, 'cutting']] }], edges: [['t', 'm', 10, 5, 'planned']] }).rows.length).toBe(2);
-  });
-  it('adds up to one in every hour that it reaches, across days', () => {
-    const row = { name: 'm', intervals: [[0, 90, 'cutting'], [90, 1440 * 3 + 30, 'idle'], [1440 * 3 + 30, 1440 * 3 + 60, 'cutting']] as [number, number, string][] };
-    const hours = hourShares(row);
-    for (const hour of hours) expect([...hour.values()].reduce((a, b) => a + b, 0)).toBeCloseTo(1, 12);
-    // Hour 0: 60 + 30 of four hours; hour 1: 30 of three.
-    expect(hours[0]?.get('cutting')).toBeCloseTo(90 / 240, 12);
-    expect(hours[1]?.get('cutting')).toBeCloseTo(30 / 180, 12);
-    expect(hours[5]?.get('idle')).toBe(1);
-    expect(hourShares({ name: 'm', intervals: [[0, 30, 'idle']] })[7]?.size).toBe(0);
-  });
-  it('counts the parts in the shop where none can be missing', () => {
-    // Stays of 4, 2 and 3; the last finish is at 10: known up to 6.
-    expect(partsInShop([['p', 0, 4], ['p', 3, 5], ['p', 7, 10]])).toEqual([[0, 1], [3, 2], [4, 1], [5, 0]]);
-    expect(partsInShop(undefined)).toEqual([]);
-    expect(() => partsInShop([['p', 'x', 1]])).toThrow('/parts/0');
   });
 });
 

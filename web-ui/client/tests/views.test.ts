@@ -2,7 +2,6 @@ import { describe, expect, it } from 'vitest';
 import { fileName, toCsv } from '../src/logic/csv';
 import { begin, changed, current, mostSteps, moved, request } from '../src/logic/draft';
 import { parseNumber, sliderRange, spread } from '../src/logic/fields';
-import { bars, firstAfter, readTrace, stateShares, type TraceRow } from '../src/logic/gantt';
 import { flowOf, groupsOf, shopGraph } from '../src/logic/graph';
 import { entityKinds } from '../src/logic/kpis';
 import { oeeRows } from '../src/logic/oee';
@@ -90,45 +89,6 @@ describe('the shop as a graph', () => {
     expect(graph.edges.filter((e) => e.to === 'store:s').map((e) => e.from)).toEqual(['machine:B1', 'machine:B2', 'machine:C']);
     expect(shopGraph(null).nodes).toEqual([]);
     expect(shopGraph({ machines: 'x', parts: [3] } as Json).nodes).toEqual([]);
-  });
-});
-
-describe('the Gantt chart', () => {
-  // 20,000 alternating intervals of 0.25 min: 5000 minutes.
-  const row: TraceRow = { name: 'm', intervals: Array.from({ length: 20_000 }, (_, k) => [k / 4, (k + 1) / 4, k % 5 === 0 ? 'idle' : 'cutting']) };
-  it('draws no more from afar than pixels times states, areas as shares of the time, and every interval from near', () => {
-    const far = bars(row, 0, 5000, 1000);
-    expect(far.length).toBeLessThanOrEqual(2200);
-    const area = (state: string) => far.filter((b) => b.state === state).reduce((sum, b) => sum + b.width * b.height, 0) / 1000;
-    expect(area('idle')).toBeCloseTo(0.2, 9);
-    expect(area('cutting')).toBeCloseTo(0.8, 9);
-    expect(Math.max(...far.map((b) => b.width))).toBeLessThanOrEqual(1 + 1e-9);
-    const near = bars(row, 10, 15, 1000);
-    expect(near).toHaveLength(20);
-    expect(near.reduce((sum, b) => sum + b.width, 0)).toBeCloseTo(1000, 9);
-    expect(near[0]).toEqual({ x: 0, width: 50, top: 0, height: 1, state: 'idle' });
-  });
-  it('shows rare long states beside many short ones', () => {
-    const mixed: TraceRow = { name: 'm', intervals: [...row.intervals.slice(0, 8000), [2000, 4000, 'down'], [4000, 4000.1, 'idle']] };
-    const long = bars(mixed, 0, 5000, 1000).find((b) => b.state === 'down');
-    expect(long?.x).toBeCloseTo(400, 9);
-    expect(long?.width).toBeCloseTo(400, 9);
-  });
-  it('shares of a window add up to the window', () => {
-    const shares = stateShares(row, 1.125, 100.3);
-    expect([...shares.values()].reduce((a, b) => a + b, 0)).toBeCloseTo(1, 12);
-    expect(stateShares(row, 0, 5000).get('idle')).toBeCloseTo(0.2, 12);
-    expect(firstAfter(row.intervals, 0.25)).toBe(1);
-  });
-  it('a bad trace is refused with its place', () => {
-    expect(() => readTrace({ machines: [{ name: 'm', intervals: [[0, 1, 'a'], [0.5, 'x', 'b']] }] })).toThrow('/machines/0/intervals/1');
-    expect(() => readTrace({ machines: [{ name: 'm', intervals: [[2, 3, 'a'], [0, 1, 'b']] }] })).toThrow('in order of time');
-    expect(() => readTrace({ machines: [{}] })).toThrow('/machines/0');
-    expect(() => readTrace([])).toThrow('object');
-    expect(() => readTrace({})).toThrow('machines');
-    expect(readTrace({ machines: [{ name: 'm', intervals: [[0, 2, 'a']] }], queues: [['g', 0, 1], ['h', 1, 2], ['g', 1.5, 0]] }).queues).toEqual([{ name: 'g', points: [[0, 1], [1.5, 0]] }, { name: 'h', points: [[1, 2]] }]);
-    expect(() => readTrace({ machines: [{ name: 'm', intervals: [] }], queues: [['g', '0', 1]] })).toThrow('/queues');
-    expect(readTrace({ machines: [{ name: 'm', intervals: [[0, 2, 'a']] }], tools: [{ name: 't', intervals: [[0, 1, 'b']] }] })).toMatchObject({ end: 2, states: ['a', 'b'] });
   });
 });
 

@@ -2,12 +2,12 @@
 
 import { significant } from '../format';
 import { t } from '../i18n';
-import type { QueueSeries } from '../logic/gantt';
+
 import { tooltip } from './chart';
 import type { Option } from './echarts';
 import { colourOf, type Theme } from './theme';
 
-export function queueOption(queues: readonly QueueSeries[], end: number, theme: Theme, counted: string = t('trace.waiting')): Option {
+export function queueOption(queues: readonly { name: string; points: [number, number][] }[], end: number, theme: Theme, counted: string = t('trace.waiting')): Option {
   return {
     grid: { left: 52, right: 18, top: 40, bottom: 42 },
     legend: { top: 0, left: 0, itemWidth: 14, itemHeight: 8, textStyle: { color: theme.text, fontSize: 12 } },

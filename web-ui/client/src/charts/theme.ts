@@ -61,6 +61,10 @@ const known: Record<string, string> = {
   off: '#C8CDD2',
   off_shift: '#E3E6E9',
   tool_swap: '#4DB6AC',
+  free: '#B5DCC3',
+  tending: '#B8A000',
+  transport: '#009E73',
+  tool_room: '#8C6BB1',
   edge_planned: '#56B4E9',
   edge_failed: '#D55E00',
 };

@@ -58,16 +58,26 @@ export function request(draft: Draft): { scenario: string; changes: Change[] } {
 
 const key = 'verstat.draft';
 
+/** What was remembered last: a draft too large for the browser's storage lasts as long as the page. */
+let last: Draft | undefined;
+
 export function remember(draft: Draft | undefined): void {
+  last = draft;
   try {
     if (!draft) sessionStorage.removeItem(key);
     else sessionStorage.setItem(key, JSON.stringify({ ...draft, history: draft.history.slice(-30), position: Math.max(0, draft.position - Math.max(0, draft.history.length - 30)) }));
   } catch {
-    // Too large or switched off: it lasts as long as the page.
+    // Too large or switched off. An older draft must not come back in its place.
+    try {
+      sessionStorage.removeItem(key);
+    } catch {
+      // Switched off.
+    }
   }
 }
 
 export function recall(): Draft | undefined {
+  if (last) return last;
   try {
     const text = sessionStorage.getItem(key);
     return text ? (JSON.parse(text) as Draft) : undefined;

@@ -151,7 +151,7 @@ export const homePage: PageMaker = async (context) => {
   };
   showStudies(studies);
 
-  const active = await activeJobs(context, ['run', 'study', 'again', 'trace'], () => {
+  const active = await activeJobs(context, ['run', 'study', 'again', 'trace', 'losses', 'resume'], () => {
     reload();
     void api.studies({ ...studyQuery }, context.signal).then(showStudies, () => undefined);
   });

@@ -15,7 +15,7 @@ import { roundKeepingSum } from '../logic/shares';
 import { annotationEditor, changeList, command, downloadButton, section, type PageContext, type PageMaker } from '../page';
 import type { Job, Kpi, Run } from '../types';
 import { jobPanel } from '../ui/job';
-import { consumptionSection, flowSection, groupingSection, leadTimeSection, lossSection, oeeFormulas, sankeySection, unattendedSection } from './runParts';
+import { consumptionSection, flowSection, groupingSection, leadTimeSection, lossSection, oeeFormulas, onMachinesSection, sankeySection, slicesSection, standstillWarning, unattendedSection } from './runParts';
 
 function tile(id: string, label: string, kpi: Kpi | undefined, unit: string, scale: number, below: Child): HTMLElement | null {
   if (!kpi) return null;
@@ -90,7 +90,8 @@ const isShare = (key: string, kpi: Kpi | undefined) => (kpi === undefined || kpi
 /** One table for the tools, the crews, or whatever else the run has indicators of. */
 function entitySection(run: Run, kind: string, head: string): HTMLElement {
   const tools = entities(run.kpis, kind);
-  const keys = [...new Set(tools.flatMap((e) => e.kpis.map((k) => k.key)))];
+  // Machine by machine has a table of its own.
+  const keys = [...new Set(tools.flatMap((e) => e.kpis.map((k) => k.key)))].filter((key) => !key.startsWith('on/'));
   // One tool reads best down the page, several side by side.
   return section(
     head,
@@ -132,7 +133,7 @@ function oeeSection(context: PageContext, run: Run): HTMLElement | null {
     [t('oee.availability'), (r) => r.availabilityLoss],
   ];
   const percent = rows.map((r) => roundKeepingSum(parts.map(([, f]) => 100 * f(r)), 1));
-  const picture = chart(context, label, rows.length > 6 ? 'tall' : 'medium', (theme) => timeBars(parts.map(([name]) => name), rows.map((r, k) => ({ machine: r.name, percent: percent[k] ?? [] })), theme), { name: 'OEE' });
+  const picture = chart(context, label, rows.length > 6 ? 'tall' : 'medium', (theme) => timeBars(parts.map(([name]) => name), rows.map((r, k) => ({ machine: r.name, percent: percent[k] ?? [] })), theme), { name: 'OEE', data: () => [[t('col.name'), ...parts.map(([name]) => name)], ...rows.map((r) => [r.name, ...parts.map(([, f]) => f(r))])] });
   return section(
     t('oee.title'),
     '%',
@@ -264,8 +265,11 @@ export const runPage: PageMaker = async (context, [id = '']) => {
       run.warnings && run.warnings.length > 0
         ? h('div', { class: 'warn', id: 'run-warnings' }, h('p', {}, t('run.warnings')), h('ul', {}, run.warnings.map((w) => h('li', {}, w.text))))
         : null,
+      standstillWarning(run),
       tiles(run),
       h('div', { class: 'columns' }, timeSection(context, run), toolSection(run)),
+      onMachinesSection(run),
+      slicesSection(context, run, version.read_only),
       flowSection(run),
       costSection(context, run),
       lossSection(context, run, version.read_only),
@@ -274,7 +278,7 @@ export const runPage: PageMaker = async (context, [id = '']) => {
       leadTimeSection(context, run),
       sankeySection(context, run),
       h('div', { class: 'columns even' }, consumptionSection(context, run), unattendedSection(run)),
-      entityKinds(run.kpis).filter((kind) => kind !== 'tool' && kind !== 'machine' && kind !== 'cost' && kind !== 'insert').map((kind) => entitySection(run, kind, named('entity', kind))),
+      entityKinds(run.kpis).filter((kind) => kind !== 'tool' && kind !== 'machine' && kind !== 'cost' && kind !== 'insert' && kind !== 'grade').map((kind) => entitySection(run, kind, named('entity', kind))),
       allSection(run),
     ),
   };

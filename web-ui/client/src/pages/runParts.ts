@@ -8,6 +8,7 @@ import { fragment, h, table, type Child } from '../dom';
 import { estimateText, fixed, significant, whole } from '../format';
 import { named, t, type Key } from '../i18n';
 import { lossesOf } from '../logic/answer';
+import { readTrace } from '../logic/gantt';
 import { find, machineTimes } from '../logic/kpis';
 import { roundKeepingSum } from '../logic/shares';
 import { bottleneck, e10Groups, e10Shares, empiricalQuantile, leadTimePhases, ownersOf, partFlows } from '../logic/shop';
@@ -15,6 +16,7 @@ import { section, type PageContext } from '../page';
 import type { Kpi, Run } from '../types';
 import { jobPanel } from '../ui/job';
 import { lossTable } from './studyParts';
+import { hourSection, shiftSection } from './traceParts';
 
 const text = (kpi: Kpi | undefined, scale = 1) => (kpi ? estimateText(kpi.mean, kpi.half_width_95, scale) : '–');
 
@@ -127,6 +129,8 @@ export function sankeySection(context: PageContext, run: Run): HTMLElement | nul
   );
 }
 
+const bounds = (low: Kpi | undefined, high: Kpi | undefined) => (typeof low?.mean === 'number' && typeof high?.mean === 'number' ? `${significant(100 * low.mean, 4)} … ${significant(100 * high.mean, 4)}` : '–');
+
 /** Whether the shop gets through an unattended interval, tool by tool. */
 export function unattendedSection(run: Run): HTMLElement | null {
   const tools = ownersOf(run.kpis, 'tool', 'no_stop_share').filter((o) => o.kpi.mean !== null);
@@ -135,7 +139,9 @@ export function unattendedSection(run: Run): HTMLElement | null {
   return section(t('night.title'), '', table<Row>(t('night.title'), [
     { head: t('col.tool'), rowHead: true, cell: (r) => r.name },
     { head: t('night.share'), unit: '%', number: true, cell: (r) => text(r.kpi, 100), raw: (r) => 100 * (r.kpi.mean ?? 0) },
+    { head: t('night.interval'), unit: '%', number: true, cell: (r) => bounds(find(run, `tool/${r.name}/unattended/no_stop_low`), find(run, `tool/${r.name}/unattended/no_stop_high`)) },
     { head: t('night.sisters'), number: true, cell: (r) => text(find(run, `tool/${r.name}/sisters_needed`)), raw: (r) => find(run, `tool/${r.name}/sisters_needed`)?.mean ?? null },
+    { head: t('night.surely'), number: true, cell: (r) => text(find(run, `tool/${r.name}/sisters_needed_surely`)), raw: (r) => find(run, `tool/${r.name}/sisters_needed_surely`)?.mean ?? null },
   ], tools), h('p', { class: 'muted' }, t('night.hint')));
 }
 
@@ -145,16 +151,19 @@ export function consumptionSection(context: PageContext, run: Run): HTMLElement 
   const place = h('div', { id: 'consumption' }, h('p', { class: 'muted' }, t('page.loading')));
   const counted = run.horizon_min - run.warmup_min;
   api.run(String(run.id), true, context.signal).then((whole_) => {
-    const rows = ownersOf(whole_.kpis, 'insert', 'consumption');
+    // Inserts, and the grades that several of them are of.
+    const rows = (['insert', 'grade'] as const).flatMap((kind) => ownersOf(whole_.kpis, kind, 'consumption').map((o) => ({ ...o, path: `${kind}/${o.name}`, label: kind === 'grade' ? t('stock.grade', { name: o.name }) : o.name })));
     type Row = (typeof rows)[number];
     const p90 = (r: Row) => empiricalQuantile(r.kpi.values ?? [], 0.9);
     place.replaceChildren(
       table<Row>(t('stock.title'), [
-        { head: t('stock.insert'), rowHead: true, cell: (r) => r.name },
+        { head: t('stock.insert'), rowHead: true, cell: (r) => r.label },
         { head: t('col.mean'), unit: t('stock.counted', { days: significant(counted / 1440, 4) }), number: true, cell: (r) => text(r.kpi), raw: (r) => r.kpi.mean },
         { head: 'P90', unit: t('stock.counted', { days: significant(counted / 1440, 4) }), number: true, cell: (r) => significant(p90(r) ?? NaN, 5), raw: p90 },
+        { head: t('stock.week'), unit: t('stock.weekUnit'), number: true, cell: (r) => text(find(whole_, `${r.path}/consumption_per_week`)), raw: (r) => find(whole_, `${r.path}/consumption_per_week`)?.mean ?? null },
+        { head: t('stock.weekP90'), unit: t('stock.weekUnit'), number: true, cell: (r) => text(find(whole_, `${r.path}/consumption_week_p90`)), raw: (r) => find(whole_, `${r.path}/consumption_week_p90`)?.mean ?? null },
         { head: t('stock.month'), number: true, cell: (r) => estimateText(r.kpi.mean, r.kpi.half_width_95, 43200 / counted), raw: (r) => ((r.kpi.mean ?? 0) * 43200) / counted },
-        { head: t('stock.per100'), number: true, cell: (r) => text(find(whole_, `insert/${r.name}/consumption_per_100_parts`)), raw: (r) => find(whole_, `insert/${r.name}/consumption_per_100_parts`)?.mean ?? null },
+        { head: t('stock.per100'), number: true, cell: (r) => text(find(whole_, `${r.path}/consumption_per_100_parts`)), raw: (r) => find(whole_, `${r.path}/consumption_per_100_parts`)?.mean ?? null },
       ], rows),
       h('p', { class: 'muted' }, t('stock.hint', { replications: whole(run.replications) })),
     );
@@ -185,4 +194,48 @@ export function lossSection(context: PageContext, run: Run, readOnly: boolean): 
     );
   } }, t('loss.price'));
   return section(t('loss.title'), '', h('p', { class: 'muted' }, t('loss.what')), h('p', { class: 'no-print' }, button), place);
+}
+
+/** Insert-cycle availability of every tool on every machine that it works on. */
+export function onMachinesSection(run: Run): HTMLElement | null {
+  const found = run.kpis.flatMap((kpi) => {
+    const match = /^tool\/(.+)\/on\/(.+)\/insert_cycle_availability$/.exec(kpi.name);
+    return match ? [{ tool: match[1] ?? '', machine: match[2] ?? '', kpi }] : [];
+  });
+  type Row = (typeof found)[number];
+  // With one machine the ledger says it already.
+  if (found.length === 0 || found.every((a) => found.filter((b) => b.tool === a.tool).length === 1)) return null;
+  return section(t('run.onMachines'), '%', table<Row>(t('run.onMachines'), [
+    { head: t('col.tool'), rowHead: true, cell: (r) => r.tool },
+    { head: t('col.machine'), cell: (r) => r.machine },
+    { head: 'K_r', unit: '%', number: true, cell: (r) => h('span', { title: r.kpi.meaning }, text(r.kpi, 100)), raw: (r) => 100 * (r.kpi.mean ?? 0) },
+  ], found));
+}
+
+/** A shop that locks itself is no shop to plan with: said above everything else. */
+export function standstillWarning(run: Run): HTMLElement | null {
+  const share = find(run, 'standstill_share');
+  return share && (share.mean ?? 0) > 0 ? h('p', { class: 'panel warn', role: 'alert', id: 'standstill' }, t('run.standstill', { share: text(share, 100) })) : null;
+}
+
+/** Where the time went by shift and by hour: one replication, recorded on demand. */
+export function slicesSection(context: PageContext, run: Run, readOnly: boolean): HTMLElement {
+  const place = h('div', { id: 'slices' });
+  const button = h('button', { type: 'button', id: 'record-slices', disabled: readOnly, onclick: () => {
+    button.disabled = true;
+    const failed = (e: unknown) => { button.disabled = false; place.replaceChildren(h('p', { class: 'bad', role: 'alert' }, e instanceof Error && e.message ? e.message : t('state.offline'))); };
+    api.startJob({ kind: 'trace', run: run.id, replication: 0 }).then(
+      (job) => place.replaceChildren(jobPanel(context, job, (end) => {
+        button.disabled = false;
+        if (end.state !== 'finished') return;
+        api.jobOutput(end.id, context.signal).then((json) => {
+          const trace = readTrace(json);
+          place.replaceChildren(fragment(shiftSection(context, trace), hourSection(context, trace)));
+          if (!place.firstChild) place.append(h('p', {}, t('run.bySlicesShort')));
+        }).catch(failed);
+      })),
+      failed,
+    );
+  } }, t('trace.record'));
+  return h('div', {}, section(t('run.bySlices'), '', h('p', { class: 'muted' }, t('run.bySlicesWhat')), h('p', { class: 'row no-print' }, button, h('a', { href: `#/trace/${run.id}` }, t('nav.trace')))), place);
 }

@@ -8,6 +8,7 @@ import { gallery, galleryText } from '../gallery';
 import { named, t } from '../i18n';
 import { begin, changed, current, moved, recall, remember, request, type Draft } from '../logic/draft';
 import { shopGraph } from '../logic/graph';
+import { parseNumber } from '../logic/fields';
 import { applyChanges, at, changesBetween, put, type Json } from '../logic/pointer';
 import { meaningAndUnit, searchBounds, title } from '../logic/schema';
 import { difference } from '../logic/statistics';
@@ -77,7 +78,9 @@ function openChooser(open: (draft: Draft) => void): HTMLElement {
     onchange: () => {
       const chosen = file.files?.[0];
       if (!chosen) return;
+      note.textContent = '';
       void chosen.text().then((text) => {
+        file.value = ''; // the same file may be chosen again when it has changed
         try {
           const json = JSON.parse(text) as Json;
           open(begin(chosen.name, text, json, json));
@@ -285,12 +288,19 @@ function workbench(context: PageContext, schema: JsonSchema, first: Draft, choos
     variables: [...variables.values()],
     objective: { kpi: objective.value.trim(), direction: direction.value },
     search: { max_evaluations: 4000, relative_precision: 1e-8 },
-    confirmation: { replications: Number(replications.value) || 40, confidence: 0.95 },
+    confirmation: { replications: parseNumber(replications.value) ?? replications.value, confidence: 0.95 },
   });
   const bound = (v: StudyVariable, key: 'low' | 'high') => {
     const input = h('input', { type: 'text', inputmode: 'decimal', value: v[key], 'aria-label': t(`setup.${key}Of`, { name: v.name }), onchange: () => {
-      const value = Number(input.value.replace(',', '.'));
-      if (Number.isFinite(value)) variables.set(v.pointer, { ...(variables.get(v.pointer) ?? v), [key]: value });
+      const value = parseNumber(input.value);
+      input.toggleAttribute('aria-invalid', false);
+      studyError.textContent = '';
+      if (value === null) {
+        input.setAttribute('aria-invalid', 'true');
+        studyError.textContent = `${t(`setup.${key}Of`, { name: v.name })}: ${t('models.bad.number')}`;
+        return;
+      }
+      variables.set(v.pointer, { ...(variables.get(v.pointer) ?? v), [key]: value });
       studyText.value = JSON.stringify(compose(), null, 2);
     } });
     return input;

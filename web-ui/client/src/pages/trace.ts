@@ -1,23 +1,25 @@
 // The Gantt chart of one replication, of a run or from a trace file: from a year to a minute, drawn by pixels.
 
 import { api, ApiError } from '../api';
-import { chart } from '../charts/chart';
-import { queueOption } from '../charts/queues';
-import { timeBars } from '../charts/timeBars';
 import { colourOf, currentTheme } from '../charts/theme';
 import { fragment, h, table } from '../dom';
-import { fixed, significant } from '../format';
+import { fixed, significant, whole } from '../format';
 import { named, t } from '../i18n';
-import { roundKeepingSum } from '../logic/shares';
-import { bars, hourShares, readTrace, stateShares, type Trace, type TraceRow } from '../logic/gantt';
+import { toCsv } from '../logic/csv';
+import { parseNumber } from '../logic/fields';
+import { bars, compactTrace, edgeTable, firstAfter, intervalTable, mostTableRows, nothing, readTrace, startOf, stateShares, type RowKind, type Trace, type TraceRow } from '../logic/gantt';
 import { section, type PageContext, type PageMaker } from '../page';
 import { jobPanel } from '../ui/job';
-import { saveMenu } from '../ui/save';
+import { saveMenu, type SaveItem } from '../ui/save';
+import { hourSection, queueSection, shiftSection, wipSection } from './traceParts';
 
 const rowHeight = 22;
 const axisHeight = 26;
-const labelWidth = 130;
+const labelWidth = 150;
 const shortest = 1; // minutes across the picture
+/** A canvas of more rows is too high for browsers, and for people. */
+const mostRows = 250;
+const kinds: readonly RowKind[] = ['machine', 'crew', 'tool'];
 
 export const tracePage: PageMaker = async (context, [run = '']) => {
   const version = await api.version(context.signal);
@@ -40,13 +42,14 @@ export const tracePage: PageMaker = async (context, [run = '']) => {
   const jobs = h('div');
   const record = () => {
     note.textContent = '';
-    api.startJob({ kind: 'trace', run: Number(run), replication: Math.max(0, Math.round(Number(replication.value)) - 1) }).then(
+    const which = parseNumber(replication.value);
+    if (which === null || !Number.isInteger(which) || which < 1) return void (note.textContent = t('models.bad.integer'));
+    api.startJob({ kind: 'trace', run: Number(run), replication: which - 1 }).then(
       (job) => jobs.replaceChildren(jobPanel(context, job, (end) => {
         if (end.state !== 'finished') return;
         api.jobOutput(end.id, context.signal).then(
           (json) => place.replaceChildren(gantt(context, readTrace(json), `${end.title}, ${t('trace.replication')} ${Number(end.result?.replication ?? 0) + 1}`)),
-          (e: unknown) => (note.textContent = e instanceof Error ? e.message : String(e)),
-        );
+        ).catch((e: unknown) => (note.textContent = e instanceof Error ? e.message : String(e)));
       })),
       (e: unknown) => (note.textContent = e instanceof ApiError && e.message ? e.message : t('state.offline')),
     );
@@ -60,17 +63,33 @@ export const tracePage: PageMaker = async (context, [run = '']) => {
 
 function gantt(context: PageContext, trace: Trace, name: string): DocumentFragment {
   let [from, to] = [0, trace.end];
-  const canvas = h('canvas', { class: 'gantt', tabindex: 0, role: 'img', 'aria-label': t('trace.label', { rows: trace.rows.length }) });
+  const count = trace.states.length;
+  const present = kinds.filter((k) => trace.rows.some((r) => r.kind === k));
+  // Tools by the hundred would bury the machines: they are shown when asked for.
+  const shownKinds = new Set(present.filter((k) => k !== 'tool' || trace.rows.length <= mostRows / 2));
+  let words: string[] = [];
+  let rows: TraceRow[] = [];
+  let height = 0;
+  const canvas = h('canvas', { class: 'gantt', tabindex: 0, role: 'img' });
   const window_ = h('p', { class: 'muted', role: 'status', id: 'trace-window' });
+  const left = h('p', { class: 'muted', id: 'trace-left' });
   const under = h('p', { class: 'muted', id: 'trace-under' }, '\u00a0');
   const shares = h('div');
-  const colour = (state: string) => colourOf(state, trace.states.indexOf(state));
-  const height = trace.rows.length * rowHeight + axisHeight;
-  canvas.style.height = `${height}px`;
+  const note = h('p', { class: 'bad', role: 'alert' });
+  const colours = trace.states.map((s, k) => colourOf(s, k));
 
-  const draw = () => {
+  const choose = () => {
+    const all = trace.rows.filter((r) => shownKinds.has(r.kind) && words.every((w) => r.name.toLowerCase().includes(w)));
+    rows = all.slice(0, mostRows);
+    left.textContent = all.length > rows.length ? t('trace.tooMany', { shown: rows.length, total: whole(all.length) }) : all.length === 0 ? t('trace.noRow') : '';
+    height = rows.length * rowHeight + axisHeight;
+    canvas.style.height = `${height}px`;
+    canvas.setAttribute('aria-label', t('trace.label', { rows: rows.length }));
+  };
+  const paint = () => {
+    const begun = performance.now();
     const theme = currentTheme();
-    const ratio = devicePixelRatio || 1;
+    const ratio = Math.min(devicePixelRatio || 1, 16_000 / height);
     const width = canvas.clientWidth || 800;
     canvas.width = Math.round(width * ratio);
     canvas.height = Math.round(height * ratio);
@@ -82,12 +101,15 @@ function gantt(context: PageContext, trace: Trace, name: string): DocumentFragme
     g.textBaseline = 'middle';
     const pixels = width - labelWidth;
     let drawn = 0;
-    trace.rows.forEach((row, r) => {
+    rows.forEach((row, r) => {
       const y = r * rowHeight;
       g.fillStyle = theme.text;
       g.fillText(row.name, 0, y + rowHeight / 2, labelWidth - 8);
-      for (const bar of bars(row, from, to, pixels)) {
-        g.fillStyle = colour(bar.state);
+      let last = -1;
+      const least = 0.3 / (ratio * (rowHeight - 4)); // thinner than a third of a pixel is not seen
+      for (const bar of bars(row, from, to, pixels, count)) {
+        if (bar.height < least) continue;
+        if (bar.state !== last) g.fillStyle = colours[(last = bar.state)] ?? theme.muted;
         g.fillRect(labelWidth + bar.x, y + 2 + bar.top * (rowHeight - 4), Math.max(1, bar.width), bar.height * (rowHeight - 4));
         ++drawn;
       }
@@ -104,13 +126,32 @@ function gantt(context: PageContext, trace: Trace, name: string): DocumentFragme
       g.fillText(clock(time), Math.min(x, width - 60), height - axisHeight / 2);
     }
     canvas.dataset['bars'] = String(drawn);
+    canvas.dataset['ms'] = (performance.now() - begun).toFixed(1);
+    canvas.dataset['from'] = String(from);
+    canvas.dataset['to'] = String(to);
     window_.textContent = t('trace.window', { from: clock(from), to: clock(to), length: clock(to - from) });
+  };
+  const fillShares = () => {
+    const own = rows.filter((r) => r.kind !== 'tool').map((r) => ({ r, share: stateShares(r, from, to, count) }));
+    type Row = (typeof own)[number];
+    const used = trace.states.flatMap((_, s) => (own.some((x) => (x.share[s] ?? 0) > 0) ? [s] : []));
     shares.replaceChildren(
-      table<TraceRow>(t('trace.shares'), [
-        { head: t('col.name'), rowHead: true, cell: (r) => r.name },
-        ...trace.states.filter((state) => !state.startsWith('edge_')).map((state) => ({ head: fragment(swatch(colour(state)), named('state', state)), unit: '%', number: true, cell: (r: TraceRow) => fixed(100 * (stateShares(r, from, to).get(state) ?? 0), 1), raw: (r: TraceRow) => 100 * (stateShares(r, from, to).get(state) ?? 0) })),
-      ], trace.rows.filter((r) => !r.tool)),
+      table<Row>(t('trace.shares'), [
+        { head: t('col.name'), rowHead: true, cell: (x) => x.r.name },
+        ...used.map((s) => ({ head: fragment(swatch(colours[s] ?? ''), named('state', trace.states[s] ?? '')), unit: '%', number: true, cell: (x: Row) => fixed(100 * (x.share[s] ?? 0), 1), raw: (x: Row) => 100 * (x.share[s] ?? 0) })),
+      ], own),
     );
+  };
+  // A wheel turns faster than screens draw: one picture a frame; the table when it has come to rest.
+  let frame = 0;
+  let rest = 0;
+  const draw = () => {
+    frame ||= requestAnimationFrame(() => {
+      frame = 0;
+      paint();
+    });
+    clearTimeout(rest);
+    rest = window.setTimeout(fillShares, 150);
   };
   const show = (a: number, b: number) => {
     const length = Math.min(trace.end, Math.max(shortest, b - a));
@@ -136,77 +177,72 @@ function gantt(context: PageContext, trace: Trace, name: string): DocumentFragme
     act();
   });
   canvas.addEventListener('mousemove', (event) => {
-    const row = trace.rows[Math.floor(event.offsetY / rowHeight)];
+    const row = rows[Math.floor(event.offsetY / rowHeight)];
     const time = from + timeAt(event) * (to - from);
-    const hit = row?.intervals.find(([a, b]) => a <= time && time < b);
-    under.textContent = row && hit ? `${row.name}, ${clock(time)}: ${named('state', hit[2])}, ${clock(hit[0])} … ${clock(hit[1])} (${significant(hit[1] - hit[0], 4)} min)` : '\u00a0';
+    const k = row && time >= row.start ? firstAfter(row.until, time) : -1;
+    const state = row?.state[k];
+    if (!row || state === undefined || state === nothing) return void (under.textContent = '\u00a0');
+    const [begin, end] = [startOf(row, k), row.until[k] ?? 0];
+    const machine = trace.machines[row.at?.[k] ?? -1];
+    under.textContent = `${row.name}, ${clock(time)}: ${named('state', trace.states[state] ?? '')}${machine ? ` (${machine})` : ''}, ${clock(begin)} … ${clock(end)} (${significant(end - begin, 4)} min)`;
   });
-  context.whenLeft(() => observer.disconnect());
+  context.whenLeft(() => {
+    observer.disconnect();
+    cancelAnimationFrame(frame);
+    clearTimeout(rest);
+  });
   const observer = new ResizeObserver(() => draw());
+  choose();
+  fillShares();
   requestAnimationFrame(() => observer.observe(canvas));
   const button = (text: string, act: () => void) => h('button', { type: 'button', class: 'quiet', onclick: act }, text);
+  const again = () => {
+    choose();
+    draw();
+  };
+  const filter = h('input', { id: 'trace-filter', type: 'search', oninput: () => { words = filter.value.toLowerCase().split(/\s+/).filter(Boolean); again(); } });
+  const boxes = present.map((kind) => {
+    const box = h('input', { type: 'checkbox', id: `trace-${kind}`, checked: shownKinds.has(kind), onchange: () => { if (box.checked) shownKinds.add(kind); else shownKinds.delete(kind); again(); } });
+    return h('label', { for: box.id }, box, ` ${t(`trace.kind.${kind}`)}`);
+  });
+  const csv = (label: string, file: string, rowsOf: () => (string | number)[][] | null, excel: boolean): SaveItem => ({
+    label, file,
+    content: () => {
+      note.textContent = '';
+      const list = rowsOf();
+      if (list) return new Blob([toCsv(list, excel ? { separator: ';', decimal: ',' } : { separator: ',', decimal: '.' })], { type: 'text/csv;charset=utf-8' });
+      note.textContent = t('trace.tooLarge', { most: whole(mostTableRows) });
+      return null;
+    },
+  });
+  const shown = () => intervalTable({ ...trace, rows }, from, to);
+  const edges = () => edgeTable(trace);
   return fragment(
     section(
       name,
       '',
       h('p', { class: 'row no-print' }, button(t('trace.in'), () => zoom(0.5)), button(t('trace.out'), () => zoom(2)), button('◀', () => show(from - (to - from) / 4, to - (to - from) / 4)), button('▶', () => show(from + (to - from) / 4, to + (to - from) / 4)), button(t('trace.all'), () => show(0, trace.end)), button(t('trace.minute'), () => show((from + to) / 2 - 0.5, (from + to) / 2 + 0.5))),
+      h('p', { class: 'row no-print' }, boxes, h('label', { for: 'trace-filter' }, t('run.filter')), filter),
       window_,
-      h('p', { class: 'legend' }, trace.states.map((s) => h('span', {}, swatch(colour(s)), named('state', s), ' '))),
+      h('p', { class: 'legend' }, trace.states.map((s, k) => h('span', {}, swatch(colours[k] ?? ''), named('state', s), ' '))),
       canvas,
+      left,
       under,
-      saveMenu(name, [{ label: 'PNG', file: 'gantt.png', content: () => new Promise<Blob>((resolve) => canvas.toBlob((b) => resolve(b ?? new Blob()))) }, { label: 'JSON', file: 'trace.json', content: () => new Blob([JSON.stringify({ machines: trace.rows })], { type: 'application/json' }) }]),
+      saveMenu(name, [
+        { label: 'PNG', file: 'gantt.png', content: () => new Promise<Blob>((resolve) => canvas.toBlob((b) => resolve(b ?? new Blob()))) },
+        csv(t('trace.saveShown'), 'gantt.csv', shown, false),
+        csv(t('trace.saveShownExcel'), 'gantt.csv', shown, true),
+        ...(trace.edges.length > 0 ? [csv(t('trace.saveEdges'), 'edges.csv', edges, false), csv(t('trace.saveEdgesExcel'), 'edges.csv', edges, true)] : []),
+        { label: t('trace.saveTrace'), file: 'trace.json', content: () => new Blob([JSON.stringify(compactTrace(trace))], { type: 'application/json' }) },
+      ]),
+      note,
     ),
     section(t('trace.shares'), '%', shares),
+    shiftSection(context, trace),
     hourSection(context, trace),
     queueSection(context, trace),
     wipSection(context, trace),
   );
-}
-
-/** How many batches wait before each machine group. */
-function queueSection(context: PageContext, trace: Trace): HTMLElement | null {
-  if (trace.queues.length === 0) return null;
-  const drawers: (() => void)[] = [];
-  const picture = chart({ ...context, whenShown: (d) => drawers.push(d) }, t('trace.queues'), 'large', (theme) => queueOption(trace.queues, trace.end, theme), { name: t('trace.queues'), data: () => [['machine', 'min', 'waiting'], ...trace.queues.flatMap((q) => q.points.map(([time, n]) => [q.name, time, n]))] });
-  requestAnimationFrame(() => drawers.forEach((d) => d()));
-  return section(t('trace.queues'), '', picture.element);
-}
-
-/** What a machine does at each hour of the day, over the whole trace. */
-function hourSection(context: PageContext, trace: Trace): HTMLElement | null {
-  const rows = trace.rows.filter((r) => !r.tool);
-  if (rows.length === 0 || trace.end < 1440) return null;
-  const drawers: (() => void)[] = [];
-  let row = rows[0] as TraceRow;
-  const states = () => [...new Set(row.intervals.map((i) => i[2]))];
-  const hours = () => {
-    const shares = hourShares(row);
-    return shares.map((s, hour) => ({ machine: `${String(hour).padStart(2, '0')}:00`, percent: roundKeepingSum(states().map((state) => 100 * (s.get(state) ?? 0)), 1) }));
-  };
-  const shown = h('div');
-  const picture = chart({ ...context, whenShown: (d) => drawers.push(d) }, t('trace.hours'), 'hours', (theme) => timeBars(states().map((s) => named('state', s)), hours(), theme, states()), { name: t('trace.hours'), data: () => [['hour', ...states()], ...hours().map((x) => [x.machine, ...x.percent])] });
-  const fill = () => {
-    const keys = states();
-    const list = hours();
-    shown.replaceChildren(table<(typeof list)[number]>(t('trace.hours'), [
-      { head: t('trace.hour'), rowHead: true, cell: (x) => x.machine },
-      ...keys.map((state, k) => ({ head: named('state', state), unit: '%', number: true, cell: (x: (typeof list)[number]) => fixed(x.percent[k] ?? 0, 1), raw: (x: (typeof list)[number]) => x.percent[k] })),
-    ], list));
-  };
-  const pick = h('select', { id: 'hours-machine', onchange: () => { row = rows[Number(pick.value)] ?? row; picture.redraw(); fill(); } }, rows.map((r, k) => h('option', { value: k }, r.name)));
-  fill();
-  requestAnimationFrame(() => drawers.forEach((d) => d()));
-  return section(t('trace.hours'), '%', h('p', { class: 'row no-print' }, h('label', { for: 'hours-machine' }, t('col.machine')), pick), picture.element, h('details', { id: 'hours-table' }, h('summary', {}, t('trace.asTable')), shown));
-}
-
-/** How many parts are in the shop. */
-function wipSection(context: PageContext, trace: Trace): HTMLElement | null {
-  if (trace.wip.length === 0) return null;
-  const drawers: (() => void)[] = [];
-  const end = trace.wip.at(-1)?.[0] ?? trace.end;
-  const picture = chart({ ...context, whenShown: (d) => drawers.push(d) }, t('trace.wip'), 'large', (theme) => queueOption([{ name: t('trace.wip'), points: trace.wip }], end, theme, t('trace.parts')), { name: t('trace.wip'), data: () => [['min', 'parts'], ...trace.wip] });
-  requestAnimationFrame(() => drawers.forEach((d) => d()));
-  return section(t('trace.wip'), '', picture.element, h('p', { class: 'muted' }, t('trace.wipHint')));
 }
 
 function swatch(colour: string): HTMLElement {

@@ -2,8 +2,12 @@
 // name. Every control stands at the JSON pointer that it edits, so that the server's errors find their place.
 
 import { h, type Child } from '../dom';
-import { t } from '../i18n';
+import { t, type Key } from '../i18n';
+import { saveBlob } from '../api';
+import { fileName, toCsv } from '../logic/csv';
+import { columnsOf, entriesOf, tableOf, TableError } from '../logic/csvList';
 import { parseNumber } from '../logic/fields';
+import { decode } from '../logic/ownData';
 import { join, type Json } from '../logic/pointer';
 import { alternative, firstValue, kindOf, meaningAndUnit, rangeOf, referredList, resolve, title } from '../logic/schema';
 import { unitText } from '../format';
@@ -23,6 +27,8 @@ export interface FormOptions {
 
 type ObjectJson = { [key: string]: Json };
 const isObject = (value: Json | undefined): value is ObjectJson => typeof value === 'object' && value !== null && !Array.isArray(value);
+/** Thousands of orders are kept, but not shown one by one. */
+const mostEntries = 200;
 const idOf = (pointer: string) => `f${pointer.replace(/[^\w-]/g, '_')}`;
 
 /** Names that the list `list` of the document gives to its elements. */
@@ -226,7 +232,7 @@ export class SchemaForm {
       [title(name), h('span', { class: 'muted' }, ` ${entries.length}`)],
       meaning,
       () => [
-        ...entries.map((entry, k) => {
+        ...entries.slice(0, mostEntries).map((entry, k) => {
           const here = join(pointer, k);
           const tools = [
             h('button', { type: 'button', class: 'quiet small', onclick: () => add(this.copyOf(entry, entries)) }, t('form.copy')),
@@ -240,9 +246,44 @@ export class SchemaForm {
           return this.group(here, this.nameOf(entry, k), '', () => (item.oneOf ? [this.alternatives(here, `${k + 1}`, item, entry, true)] : this.members(here, item, entry)), tools);
         }),
         h('p', {}, h('button', { type: 'button', class: 'quiet small', onclick: () => add(blank()) }, t('form.add', { name: title(name) }))),
+        entries.length > mostEntries ? h('p', { class: 'muted' }, t('form.csv.more', { shown: mostEntries, total: entries.length })) : null,
+        this.asTable(pointer, name, item, entries),
       ],
       required || entries.length > 0 ? null : null,
     );
+  }
+
+  /** A list whose entries are rows of a table is saved as CSV and read from one: orders out of a spreadsheet. */
+  private asTable(pointer: string, name: string, item: JsonSchema, entries: readonly Json[]): HTMLElement | null {
+    const columns = columnsOf(this.options.root, item);
+    if (!columns) return null;
+    const note = h('span', { class: 'bad', role: 'alert' });
+    const save = (separator: ',' | ';', decimal: '.' | ',') => saveBlob(new Blob([toCsv(tableOf(columns, entries), { separator, decimal })], { type: 'text/csv;charset=utf-8' }), `${fileName(title(name))}.csv`);
+    const file = h('input', {
+      type: 'file', accept: '.csv,.txt,text/csv', class: 'csv-list', 'aria-label': t('form.csvReadOf', { name: title(name) }),
+      onchange: () => {
+        const chosen = file.files?.[0];
+        if (!chosen) return;
+        note.textContent = '';
+        void chosen.arrayBuffer().then((bytes) => {
+          file.value = ''; // the same file may be chosen again when it has changed
+          try {
+            const list = entriesOf(columns, decode(bytes).text);
+            this.open.add(pointer);
+            this.set(pointer, list, true);
+          } catch (e) {
+            note.textContent = `${chosen.name}: ${e instanceof TableError ? t(`form.csv.${e.key}` as Key, e.values) : String(e)}`;
+          }
+        });
+      },
+    });
+    return h('p', { class: 'row' },
+      h('label', {}, t('form.csvRead'), ' ', file),
+      entries.length === 0 ? null : [
+        h('button', { type: 'button', class: 'quiet small', onclick: () => save(',', '.') }, t('form.csvSave')),
+        h('button', { type: 'button', class: 'quiet small', onclick: () => save(';', ',') }, t('save.excel')),
+      ],
+      note);
   }
 
   private nameOf(entry: Json, k: number): string {

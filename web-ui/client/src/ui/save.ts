@@ -8,7 +8,8 @@ import { fileName, toCsv, type Cell } from '../logic/csv';
 export interface SaveItem {
   label: string;
   file: string;
-  content: () => Blob | Promise<Blob>;
+  /** null: nothing is saved, and whoever gave the item has said why. */
+  content: () => Blob | null | Promise<Blob | null>;
 }
 
 /** A menu that opens on click or Enter; not printed. */
@@ -27,7 +28,7 @@ export function saveMenu(name: string, items: readonly SaveItem[]): HTMLElement 
             type: 'button',
             class: 'quiet',
             onclick: () => {
-              void Promise.resolve(item.content()).then((blob) => saveBlob(blob, item.file));
+              void Promise.resolve(item.content()).then((blob) => blob && saveBlob(blob, item.file));
               menu.removeAttribute('open');
             },
           },
