@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <thread>
 
+#include <boost/version.hpp>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
+#include <sqlite3.h>
 #include <unistd.h>
 
 #include "app/version.h"
@@ -150,11 +152,28 @@ LoadedScenario load_scenario_text(const std::string& text, const std::string& wh
   return loaded;
 }
 
-store::Provenance provenance() {
+namespace {
+
+/// What the same bits take besides the version: the C library picks fused instructions where the processor
+/// has them.
+std::string platform() {
   const bool fma = __builtin_cpu_supports("fma") != 0;
+  return fmt::format("x86-64{}, glibc {}", fma ? " with FMA" : "", gnu_get_libc_version());
+}
+
+/// The first line is for scripts, the second for a report: what it was built from and what it runs on.
+std::string version_text() {
+  return fmt::format("verstat {}\nbuilt by g++ {} with Boost {}, {{fmt}} {}.{}.{}; runs on {}, SQLite {}",
+                     VERSTAT_VERSION, __VERSION__, BOOST_LIB_VERSION, FMT_VERSION / 10000,
+                     FMT_VERSION / 100 % 100, FMT_VERSION % 100, platform(), sqlite3_libversion());
+}
+
+}  // namespace
+
+store::Provenance provenance() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return {.version = VERSTAT_VERSION,
-          .platform = fmt::format("x86-64{}, glibc {}", fma ? " with FMA" : "", gnu_get_libc_version()),
+          .platform = platform(),
           .created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))};
 }
 
@@ -204,7 +223,7 @@ int run_program(int argc, char** argv) {
       "Verstat simulates machining shops and finds the regimes, change ages and crews that pay.\n"
       "Cutting times, tool lives and failures come from published process models.");
   program.name("verstat");
-  program.set_version_flag("--version", std::string("verstat ") + VERSTAT_VERSION);
+  program.set_version_flag("--version", version_text());
   program.require_subcommand(1);
   program.footer(
       "Example:\n  verstat run scenarios/gallery/heavy-lathe.json --set /tools/0/strategy/gamma=0.47");

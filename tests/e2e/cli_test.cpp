@@ -245,3 +245,13 @@ TEST_CASE("talk goes to standard error without colour when NO_COLOR is set or it
   CHECK(a.err.find('\033') == std::string::npos);
   CHECK(call("--version").out.starts_with("verstat "));
 }
+
+TEST_CASE("the version says what a report needs: the release, the compiler and the platform of the bits") {
+  const std::string text = call("--version").out;
+  CHECK(std::count(text.begin(), text.end(), '\n') == 2);
+  for (const char* part :
+       {"\nbuilt by g++ " __VERSION__, "Boost 1_81", "runs on x86-64", "glibc 2.", "SQLite 3."}) {
+    INFO(text);
+    CHECK(text.find(part) != std::string::npos);
+  }
+}
