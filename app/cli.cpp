@@ -8,9 +8,11 @@
 #include <filesystem>
 #include <thread>
 
+#include <boost/version.hpp>
 #include <fmt/chrono.h>
 #include <fmt/format.h>
 #include <gnu/libc-version.h>
+#include <sqlite3.h>
 #include <unistd.h>
 
 #include "app/version.h"
@@ -121,28 +123,57 @@ std::string changes_text(const std::vector<Change>& changes) {
   return list.dump();
 }
 
+std::string read_scenario_text(const std::string& file) {
+  try {
+    return fit::with_order_files(scenarios::read_text_file(file), std::filesystem::path(file).parent_path());
+  } catch (const InputError& e) {
+    throw UsageError(fmt::format("scenario {}: {}", file, e.what()));
+  }
+}
+
 LoadedScenario load_scenario(const std::string& file, const std::vector<Change>& changes) {
+  return load_scenario_text(read_scenario_text(file), "scenario " + file, changes);
+}
+
+LoadedScenario load_scenario_text(const std::string& text, const std::string& where,
+                                  const std::vector<Change>& changes) {
   LoadedScenario loaded;
   try {
-    loaded.text =
-        fit::with_order_files(scenarios::read_text_file(file), std::filesystem::path(file).parent_path());
-    loaded.json = scenarios::parse_json(loaded.text);
+    loaded.text = text;
+    loaded.json = scenarios::parse_json(text);
     // --seed works on a scenario without settings, too.
     if (loaded.json.is_object() && !loaded.json.contains("simulation"))
       loaded.json["simulation"] = nlohmann::json::object();
     loaded.json = scenarios::apply(std::move(loaded.json), changes);
     loaded.scenario = scenarios::load(loaded.json);
   } catch (const InputError& e) {
-    throw UsageError(fmt::format("scenario {}: {}", file, e.what()));
+    throw UsageError(fmt::format("{}: {}", where, e.what()));
   }
   return loaded;
 }
 
-store::Provenance provenance() {
+namespace {
+
+/// What the same bits take besides the version: the C library picks fused instructions where the processor
+/// has them.
+std::string platform() {
   const bool fma = __builtin_cpu_supports("fma") != 0;
+  return fmt::format("x86-64{}, glibc {}", fma ? " with FMA" : "", gnu_get_libc_version());
+}
+
+/// The first line is for scripts, the second for a report: what it was built from and what it runs on.
+std::string version_text() {
+  return fmt::format("verstat {}\nbuilt by g++ {} with Boost {}, {{fmt}} {}.{}.{}; runs on {}, SQLite {}",
+                     VERSTAT_VERSION, __VERSION__, BOOST_LIB_VERSION, FMT_VERSION / 10000,
+                     FMT_VERSION / 100 % 100, FMT_VERSION % 100, platform(), sqlite3_libversion());
+}
+
+}  // namespace
+
+store::Provenance provenance() {
   const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
   return {.version = VERSTAT_VERSION,
-          .platform = fmt::format("x86-64{}, glibc {}", fma ? " with FMA" : "", gnu_get_libc_version()),
+          .platform = platform(),
           .created = fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(now))};
 }
 
@@ -158,6 +189,15 @@ std::string harmless(std::string text) {
     if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = ' ';
   return text;
 }
+
+}  // namespace
+
+void print_warnings(const std::vector<scenarios::Warning>& warnings) {
+  for (const scenarios::Warning& warning : warnings)
+    fmt::print(stderr, "warning: {}: {}\n", warning.pointer, harmless(warning.text));
+}
+
+namespace {
 
 int report(const std::string& text, ExitCode code) {
   const bool colour = isatty(STDERR_FILENO) != 0 && std::getenv("NO_COLOR") == nullptr;
@@ -183,7 +223,7 @@ int run_program(int argc, char** argv) {
       "Verstat simulates machining shops and finds the regimes, change ages and crews that pay.\n"
       "Cutting times, tool lives and failures come from published process models.");
   program.name("verstat");
-  program.set_version_flag("--version", std::string("verstat ") + VERSTAT_VERSION);
+  program.set_version_flag("--version", version_text());
   program.require_subcommand(1);
   program.footer(
       "Example:\n  verstat run scenarios/gallery/heavy-lathe.json --set /tools/0/strategy/gamma=0.47");

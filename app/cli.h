@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 
 #include "scenarios/load.h"
+#include "scenarios/warnings.h"
 #include "store/records.h"
 
 namespace verstat::app {
@@ -61,6 +62,14 @@ struct LoadedScenario {
 };
 [[nodiscard]] LoadedScenario load_scenario(const std::string& file,
                                            const std::vector<scenarios::Change>& changes);
+/// The same of a text; `where` names it in errors.
+[[nodiscard]] LoadedScenario load_scenario_text(const std::string& text, const std::string& where,
+                                                const std::vector<scenarios::Change>& changes);
+/// The text of a scenario file, with the CSV tables of orders that it names read in. Throws UsageError.
+[[nodiscard]] std::string read_scenario_text(const std::string& file);
+
+/// A line on stderr for each: what a shop can be run with and should not be.
+void print_warnings(const std::vector<scenarios::Warning>& warnings);
 
 /// Program version, and processor and C library (results agree bit for bit where both are the same).
 [[nodiscard]] store::Provenance provenance();

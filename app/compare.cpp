@@ -9,6 +9,7 @@
 #include "app/interrupt.h"
 #include "app/results.h"
 #include "app/study_session.h"
+#include "app/table.h"
 
 namespace verstat::app {
 
@@ -106,14 +107,6 @@ std::vector<Variant> variants_of(const CompareCommand& c) {
     }
   }
   return all;
-}
-
-ordered_json number_or_null(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
-}
-
-ordered_json estimate_json(const shop::Estimate& e) {
-  return {{"mean", number_or_null(e.mean)}, {"half_width", number_or_null(e.half_width)}};
 }
 
 constexpr const char* verdict_text(optimize::Verdict v) {
@@ -214,7 +207,6 @@ void compare_variants(const CompareCommand& c) {
     ordered_json one = {{"name", variants[v].name}, {"run", runs.back()}};
     if (v > 0) {
       one["differences"] = ordered_json::array();
-      std::string words;
       for (const optimize::Difference& d : comparison.differences[v - 1]) {
         one["differences"].push_back({{"kpi", d.kpi},
                                       {"unit", d.unit},
@@ -222,9 +214,8 @@ void compare_variants(const CompareCommand& c) {
                                       {"this", estimate_json(d.other)},
                                       {"difference", estimate_json(d.difference)},
                                       {"verdict", verdict_text(d.verdict)}});
-        words += (words.empty() ? "" : "; ") + optimize::in_words(d);
       }
-      one["words"] = fmt::format("{} against {}: {}.", variants[v].name, variants[0].name, words);
+      one["words"] = optimize::in_words(variants[v].name, comparison.differences[v - 1]);
     }
     result["variants"].push_back(std::move(one));
   }
@@ -232,21 +223,20 @@ void compare_variants(const CompareCommand& c) {
   session.writer().finish_study(session.id(), runs[0], runs[1], result.dump(), "finished");
 
   if (c.common.json) {
-    ordered_json out = {{"study", session.id()}};
-    out.update(result);
-    fmt::print("{}\n", out.dump(2));
+    print_json(session.id(), result);
     return;
   }
-  fmt::print("{} replications of each variant under the same random numbers{}\n\n", comparison.replications,
+  fmt::print("{} replications of each variant under the same random numbers, against {}{}\n\n",
+             comparison.replications, variants[0].name,
              comparison.clear ? "" : " (the budget ended before the first KPI was clear)");
   for (std::size_t v = 1; v < variants.size(); ++v) {
     fmt::print("{}\n", result["variants"][v]["words"].get<std::string>());
-    fmt::print("  {:<28} {:>22} {:>22} {:>22}\n", "", variants[0].name.substr(0, 22),
-               variants[v].name.substr(0, 22), "difference");
+    Table table("lrrrl", "  ");
+    table.add({"", variants[0].name, variants[v].name, "difference"});
     for (const optimize::Difference& d : comparison.differences[v - 1])
-      fmt::print("  {:<28} {:>22} {:>22} {:>22}  {}\n", d.kpi, shown(d.first.mean, d.first.half_width),
-                 shown(d.other.mean, d.other.half_width), shown(d.difference.mean, d.difference.half_width),
-                 d.unit == "1" ? "" : d.unit);
+      table.add({d.kpi, shown(d.first.mean, d.first.half_width), shown(d.other.mean, d.other.half_width),
+                 shown(d.difference.mean, d.difference.half_width), d.unit == "1" ? "" : d.unit});
+    table.print();
     fmt::print("\n");
   }
   fmt::print("study {} in {}, runs", session.id(), c.common.db);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "app/cli.h"
+#include "app/files.h"
 #include "app/fit_answer.h"
 #include "fit/event_report.h"
 #include "fit/library.h"
@@ -394,21 +395,7 @@ void answer(const fit::Report& report, bool json, const std::string& out, const 
     if (report.changes.empty())
       throw UsageError(
           fmt::format("--out {}: there are no changes to write; --to names what they are for", out));
-    // The whole file or none: written beside, then renamed.
-    const std::string beside = out + ".part";
-    {
-      std::ofstream file(beside, std::ios::binary);
-      file << report.json["patch"].dump(2) << "\n";
-      file.close();
-      if (!file) {
-        std::error_code ignored;
-        std::filesystem::remove(beside, ignored);
-        throw UsageError(fmt::format("--out {}: cannot be written", out));
-      }
-    }
-    std::error_code error;
-    std::filesystem::rename(beside, out, error);
-    if (error) throw UsageError(fmt::format("--out {}: cannot be written: {}", out, error.message()));
+    write_file("--out", out, report.json["patch"].dump(2) + "\n");
   }
   std::vector<std::string> entries;
   if (!library.empty()) entries = fit::write_library(library, report.library);

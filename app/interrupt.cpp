@@ -20,6 +20,8 @@ void note_interrupts() {
   action.sa_flags = static_cast<int>(SA_RESETHAND);  // the second one is the system's
   sigaction(SIGINT, &action, nullptr);
   sigaction(SIGTERM, &action, nullptr);
+  // A file that may not grow any more is an error of writing, with words, not a sudden end.
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 bool end_asked() {

@@ -8,6 +8,8 @@
 #include "app/cli.h"
 #include "app/results.h"
 #include "app/study_session.h"
+#include "app/table.h"
+#include "store/result_json.h"
 
 namespace verstat::app {
 
@@ -60,10 +62,6 @@ shop::Estimate difference(const std::vector<std::optional<double>>& from,
   for (std::size_t r = 0; r < d.size(); ++r)
     if (from[r] && to[r]) d[r] = *to[r] - *from[r];
   return shop::estimate(d);
-}
-
-ordered_json number_or_null(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
 void price_losses(const LossesCommand& c) {
@@ -123,13 +121,11 @@ void price_losses(const LossesCommand& c) {
       session.progress("losses", static_cast<std::int64_t>(k) + 2, steps);
       const shop::Estimate more = difference(today.parts, s.parts);
       const shop::Estimate saved = difference(s.money, today.money);
-      list.push_back(
-          {{"name", losses[k].name},
-           {"kind", losses[k].kind},
-           {"removed_by", asked[k]["removed_by"]},
-           {"parts", {{"mean", number_or_null(more.mean)}, {"half_width", number_or_null(more.half_width)}}},
-           {"saving_per_good_part",
-            {{"mean", number_or_null(saved.mean)}, {"half_width", number_or_null(saved.half_width)}}}});
+      list.push_back({{"name", losses[k].name},
+                      {"kind", losses[k].kind},
+                      {"removed_by", asked[k]["removed_by"]},
+                      {"parts", estimate_json(more)},
+                      {"saving_per_good_part", estimate_json(saved)}});
     }
     std::stable_sort(list.begin(), list.end(), [](const ordered_json& a, const ordered_json& b) {
       const auto value = [](const ordered_json& j) {
@@ -138,13 +134,13 @@ void price_losses(const LossesCommand& c) {
       };
       return value(a) > value(b);
     });
-    result = {
-        {"currency", loaded.scenario.currency},
-        {"replications", loaded.scenario.simulation.replications},
-        {"minutes", loaded.scenario.simulation.horizon_min - loaded.scenario.simulation.warmup_min},
-        {"today",
-         {{"cost_per_good_part", number_or_null(cost.mean)}, {"parts_good", number_or_null(parts.mean)}}},
-        {"losses", list}};
+    result = {{"currency", loaded.scenario.currency},
+              {"replications", loaded.scenario.simulation.replications},
+              {"minutes", loaded.scenario.simulation.horizon_min - loaded.scenario.simulation.warmup_min},
+              {"today",
+               {{"cost_per_good_part", store::number_or_null(cost.mean)},
+                {"parts_good", store::number_or_null(parts.mean)}}},
+              {"losses", list}};
     if (!list.empty() && cost.mean && !list[0]["saving_per_good_part"]["mean"].is_null())
       result["words"] = fmt::format(
           "The dearest loss: without {} a good part would cost {:.3g} {} less ({:.2g} %).",
@@ -157,24 +153,16 @@ void price_losses(const LossesCommand& c) {
   session.finish(result.dump(), "finished");
 
   if (c.common.json) {
-    ordered_json out = {{"study", session.id()}};
-    out.update(result);
-    fmt::print("{}\n", out.dump(2));
+    print_json(session.id(), result);
     return;
   }
-  const auto shown_of = [](const ordered_json& j) {
-    const auto value = [](const ordered_json& x) {
-      return x.is_null() ? std::nullopt : std::optional(x.get<double>());
-    };
-    return shown(value(j["mean"]), value(j["half_width"]));
-  };
   fmt::print("{}: without each loss, in {:g} min; paired runs of {} replications, +- at 95 %\n\n",
              loaded.scenario.name, result["minutes"].get<double>(), loaded.scenario.simulation.replications);
-  fmt::print("{:<40} {:>18} {:>28}\n", "loss removed", "more good parts",
-             fmt::format("{} less per good part", loaded.scenario.currency));
+  Table table("lrr");
+  table.add({"loss removed", "more good parts", loaded.scenario.currency + " less per good part"});
   for (const auto& loss : result["losses"])
-    fmt::print("{:<40} {:>18} {:>28}\n", loss["name"].get<std::string>(), shown_of(loss["parts"]),
-               shown_of(loss["saving_per_good_part"]));
+    table.add({loss["name"].get<std::string>(), shown(loss["parts"]), shown(loss["saving_per_good_part"])});
+  table.print();
   if (result.contains("words")) fmt::print("\n{}\n", result["words"].get<std::string>());
   fmt::print("\nstudy {} in {}\n", session.id(), c.common.db);
 }

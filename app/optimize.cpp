@@ -7,6 +7,7 @@
 
 #include "app/cli.h"
 #include "app/elsewhere.h"
+#include "app/files.h"
 #include "app/interrupt.h"
 #include "app/study_report.h"
 #include "app/study_session.h"
@@ -63,21 +64,8 @@ Prepared prepare_files(const OptimizeOptions& options) {
   } catch (const scenarios::InputError& e) {
     throw UsageError(fmt::format("{}: {}", where, e.what()));
   }
-  std::string scenario_text;
-  try {
-    scenario_text = scenarios::read_text_file(scenario_file);
-  } catch (const scenarios::InputError& e) {
-    throw UsageError(fmt::format("scenario {}: {}", scenario_file, e.what()));
-  }
+  const std::string scenario_text = read_scenario_text(scenario_file);
   return prepare(where, text, "scenario " + scenario_file, scenario_text, changes_of(options.common));
-}
-
-std::int64_t study_number(const std::string& text) {
-  std::int64_t id = 0;
-  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), id);
-  if (error != std::errc() || stop != text.data() + text.size() || id < 1)
-    throw UsageError(fmt::format("--resume {}: must be the number of a study", text.substr(0, 100)));
-  return id;
 }
 
 double seconds(const std::string& text) {
@@ -92,7 +80,7 @@ store::Study record_of(const Prepared& p) {
   store::Study record;
   record.header = {.name = p.spec.name,
                    .scenario_name = p.loaded.scenario.name,
-                   .objective = p.spec.objective.kpi,
+                   .objective = p.spec.objective.label(),
                    .seed = p.loaded.scenario.simulation.seed.value,
                    .provenance = provenance()};
   record.study_text = p.text;
@@ -136,13 +124,109 @@ void analyse(Problem& problem, StudyFindings& findings) {
   const auto& best = *findings.answer.best;
   const auto seed = problem.typed_scenario_at(best.x).simulation.seed.value;
   const auto search = optimize::search_options(problem.study(), seed);
-  findings.one_cut = optimize::one_cut_optima(scenarios::load(problem.scenario_at(best.x)));
+  if (problem.study().objective.function.empty())
+    findings.one_cut =
+        optimize::one_cut_optima(scenarios::load(problem.scenario_at(best.x)),
+                                 findings.confirmation ? &findings.confirmation->best : nullptr);
   if (!problem.not_covered().empty() || problem.study().objectives.size() > 1) return;
   // Of the best plan in the long run: what simulation moved it by is no constraint.
   const std::vector<double>& x = findings.answer.analytic ? findings.answer.analytic->x : best.x;
   if (!findings.answer.analytic || !findings.answer.analytic->feasible) return;
   findings.binding = optimize::binding_constraints(problem, x, search);
   findings.sensitivity = optimize::sensitivities(problem, x, search);
+}
+
+// From the first trial to the answer.
+int run_session(const OptimizeOptions& options, const Prepared& p, Problem& problem, StudySession& session,
+                int threads) {
+  const optimize::StudySpec& study = p.spec;
+  session.set_budget(options.time_s.empty() ? study.budget.time_s : seconds(options.time_s),
+                     study.budget.trials);
+
+  const optimize::StudyTools tools{
+      .simulate = session.simulate(threads),
+      .progress = [&](const optimize::StudyProgress& now) { session.progress(now); }};
+  StudyFindings findings{.study = study,
+                         .answer = optimize::run_study(problem, session.ledger(), tools),
+                         .currency = p.loaded.scenario.currency,
+                         .id = session.id()};
+  findings.trials = session.trials();
+  optimize::StudyAnswer& answer = findings.answer;
+  if (!answer.best && answer.interrupted.empty()) findings.nearest_miss = nearest_miss(problem, answer);
+  if (answer.best) {
+    try {
+      const auto look = problem.look(answer.best->x);
+      if (!look.objectives.empty()) findings.best_long_run = look.objectives[0];
+    } catch (const std::exception&) {
+      // Simulated only.
+    }
+  }
+  const bool simulated = study.objective.function.empty();
+  if (answer.best && answer.interrupted.empty() && !simulated) analyse(problem, findings);
+  if (answer.best && answer.interrupted.empty() && simulated) try {
+      std::vector<Change> made = optimize::fixed_changes(study);
+      made.insert(made.end(), p.changes.begin(), p.changes.end());
+      const auto confirm_with =
+          optimize::confirmation_changes(study, p.loaded.scenario.simulation.seed.value);
+      made.insert(made.end(), confirm_with.begin(), confirm_with.end());
+      const std::int64_t all = 2 * study.confirmation.replications;
+      const auto run = [&](bool baseline, const std::vector<Change>& changes) {
+        const LoadedScenario loaded = load_scenario_text(p.loaded.text, p.where, changes);
+        return session.run_once(baseline, loaded, changes, baseline ? "today" : "best", [&] {
+          const std::int64_t before = baseline ? 0 : study.confirmation.replications;
+          return simulate_anywhere(loaded.scenario, 0, loaded.scenario.simulation.replications, threads,
+                                   [&](std::int64_t done, std::int64_t) {
+                                     session.ledger().check();
+                                     session.progress("confirmation", before + done, all);
+                                   });
+        });
+      };
+      shop::RunResult today = run(true, made);
+      const auto best = optimize::changes_at(study.variables, answer.best->x);
+      made.insert(made.end(), best.begin(), best.end());
+      findings.confirmation = optimize::confirm(study, std::move(today), run(false, made));
+      // What today's plan owes by simulation, too.
+      for (const auto& c : problem.conditions()) {
+        if (c.kind != optimize::Condition::Kind::kpi) continue;
+        const auto k = findings.confirmation->baseline.index_of(c.item);
+        if (!k || !findings.confirmation->baseline.estimates[*k].mean) continue;
+        const double mean = *findings.confirmation->baseline.estimates[*k].mean;
+        if (c.at_most ? mean > c.allowed : mean < c.allowed) answer.baseline_feasible = false;
+      }
+      analyse(problem, findings);
+    } catch (const optimize::Interrupted& why) {
+      answer.interrupted = why.what();
+    }
+  const ordered_json result = to_json(findings);
+  const bool ended_early = !answer.interrupted.empty();
+  session.finish(result.dump(), ended_early ? "interrupted" : "finished");
+
+  if (!options.plan_file.empty() && answer.best) {
+    std::vector<Change> plan = optimize::fixed_changes(study);
+    plan.insert(plan.end(), p.changes.begin(), p.changes.end());
+    const auto best = optimize::changes_at(study.variables, answer.best->x);
+    plan.insert(plan.end(), best.begin(), best.end());
+    write_file("--write-plan", options.plan_file, changed_text(p.loaded.text, plan));
+  }
+  if (options.common.json) {
+    const auto number = [](const std::optional<std::int64_t>& run) {
+      return run ? ordered_json(*run) : ordered_json(nullptr);
+    };
+    ordered_json out = {{"name", study.name},
+                        {"baseline_run", number(session.baseline_run())},
+                        {"best_run", number(session.best_run())}};
+    out.update(result);
+    print_json(session.id(), out);
+  } else {
+    fmt::print("{}\n\n", study.name);
+    print_findings(result);
+    fmt::print("\nstudy {} in {}: {} trials", session.id(), options.common.db, session.trials());
+    if (session.baseline_run() && session.best_run())
+      fmt::print(", runs {} (today) and {} (best)", *session.baseline_run(), *session.best_run());
+    fmt::print("\n");
+    if (!options.plan_file.empty() && answer.best) fmt::print("the best plan is {}\n", options.plan_file);
+  }
+  return end_asked() ? static_cast<int>(ExitCode::interrupted) : static_cast<int>(success);
 }
 
 int optimize_study(OptimizeOptions& options) {
@@ -189,90 +273,11 @@ int optimize_study(OptimizeOptions& options) {
   }
   if (session == nullptr)
     session = std::make_unique<StudySession>(options.common.db, record_of(*p), options.progress);
-  session->set_budget(options.time_s.empty() ? study.budget.time_s : seconds(options.time_s),
-                      study.budget.trials);
-
-  const optimize::StudyTools tools{
-      .simulate = session->simulate(threads),
-      .progress = [&](const optimize::StudyProgress& now) { session->progress(now); }};
-  StudyFindings findings{.study = study,
-                         .answer = optimize::run_study(*problem, session->ledger(), tools),
-                         .currency = p->loaded.scenario.currency,
-                         .id = session->id()};
-  findings.trials = session->trials();
-  optimize::StudyAnswer& answer = findings.answer;
-  if (!answer.best && answer.interrupted.empty()) findings.nearest_miss = nearest_miss(*problem, answer);
-  if (answer.best) {
-    try {
-      const auto look = problem->look(answer.best->x);
-      if (!look.objectives.empty()) findings.best_long_run = look.objectives[0];
-    } catch (const std::exception&) {
-      // Simulated only.
-    }
+  try {
+    return run_session(options, *p, *problem, *session, threads);
+  } catch (const store::StoreError& error) {
+    throw with_way_on(error, "optimize", *session);
   }
-  if (answer.best && answer.interrupted.empty()) try {
-      std::vector<Change> made = optimize::fixed_changes(study);
-      made.insert(made.end(), p->changes.begin(), p->changes.end());
-      const auto confirm_with =
-          optimize::confirmation_changes(study, p->loaded.scenario.simulation.seed.value);
-      made.insert(made.end(), confirm_with.begin(), confirm_with.end());
-      const std::int64_t all = 2 * study.confirmation.replications;
-      const auto run = [&](bool baseline, const std::vector<Change>& changes) {
-        const LoadedScenario loaded = load_scenario_text(p->loaded.text, p->where, changes);
-        return session->run_once(baseline, loaded, changes, baseline ? "today" : "best", [&] {
-          const std::int64_t before = baseline ? 0 : study.confirmation.replications;
-          return simulate_anywhere(loaded.scenario, 0, loaded.scenario.simulation.replications, threads,
-                                   [&](std::int64_t done, std::int64_t) {
-                                     session->ledger().check();
-                                     session->progress("confirmation", before + done, all);
-                                   });
-        });
-      };
-      shop::RunResult today = run(true, made);
-      const auto best = optimize::changes_at(study.variables, answer.best->x);
-      made.insert(made.end(), best.begin(), best.end());
-      findings.confirmation = optimize::confirm(study, std::move(today), run(false, made));
-      // What today's plan owes by simulation, too.
-      for (const auto& c : problem->conditions()) {
-        if (c.kind != optimize::Condition::Kind::kpi) continue;
-        const auto k = findings.confirmation->baseline.index_of(c.item);
-        if (!k || !findings.confirmation->baseline.estimates[*k].mean) continue;
-        const double mean = *findings.confirmation->baseline.estimates[*k].mean;
-        if (c.at_most ? mean > c.allowed : mean < c.allowed) answer.baseline_feasible = false;
-      }
-      analyse(*problem, findings);
-    } catch (const optimize::Interrupted& why) {
-      answer.interrupted = why.what();
-    }
-  const ordered_json result = to_json(findings);
-  const bool ended_early = !answer.interrupted.empty();
-  session->finish(result.dump(), ended_early ? "interrupted" : "finished");
-
-  if (!options.plan_file.empty() && answer.best) {
-    std::vector<Change> plan = optimize::fixed_changes(study);
-    plan.insert(plan.end(), p->changes.begin(), p->changes.end());
-    const auto best = optimize::changes_at(study.variables, answer.best->x);
-    plan.insert(plan.end(), best.begin(), best.end());
-    write_file(options.plan_file, changed_text(p->loaded.text, plan));
-  }
-  if (options.common.json) {
-    ordered_json out = {
-        {"study", session->id()},
-        {"name", study.name},
-        {"baseline_run", session->baseline_run() ? ordered_json(*session->baseline_run()) : nullptr},
-        {"best_run", session->best_run() ? ordered_json(*session->best_run()) : nullptr}};
-    out.update(result);
-    fmt::print("{}\n", out.dump(2));
-  } else {
-    fmt::print("{}\n\n", study.name);
-    print_findings(result);
-    fmt::print("\nstudy {} in {}: {} trials", session->id(), options.common.db, session->trials());
-    if (session->baseline_run() && session->best_run())
-      fmt::print(", runs {} (today) and {} (best)", *session->baseline_run(), *session->best_run());
-    fmt::print("\n");
-    if (!options.plan_file.empty() && answer.best) fmt::print("the best plan is {}\n", options.plan_file);
-  }
-  return end_asked() ? static_cast<int>(ExitCode::interrupted) : static_cast<int>(success);
 }
 
 }  // namespace

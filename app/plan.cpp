@@ -29,6 +29,10 @@ void print_plan(const operations::CutPlan& plan, bool explain) {
   for (const auto& q : plan.consumables)
     fmt::print("{:<34} {:>14.6g} {:<10} per part: {}{}\n", q.name, q.value,
                std::string_view(q.unit) == "1" ? "" : q.unit, q.meaning, origin(q.origin));
+  for (const auto& state : plan.leaves)
+    fmt::print("leaves {:<27} {:>14.6g} {}{}\n", state.quantity, plan.value_of(state.quantity).value_or(0),
+               std::string_view(plan.unit_of(state.quantity)) == "1" ? "" : plan.unit_of(state.quantity),
+               state.sd > 0 ? fmt::format(", scatter {:g}", state.sd) : "");
   for (const auto& l : plan.limits)
     fmt::print("{} {:<29} {:>14.6g} {} {:g} {}, margin {:+.1f} %{}\n", l.met() ? "ok  " : "OVER", l.name,
                l.value, l.at_most ? "<=" : ">=", l.allowed, l.unit, 100 * l.margin(), origin(l.origin));

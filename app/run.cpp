@@ -71,6 +71,8 @@ void add_run(CLI::App& program) {
   command->callback([options, file, label, check] {
     const auto changes = changes_of(*options);
     const LoadedScenario loaded = load_scenario(*file, changes);
+    const auto warned = scenarios::warnings(loaded.scenario);
+    print_warnings(warned);
     const int threads = thread_count(*options);
     const auto start = std::chrono::steady_clock::now();
     shop::RunResult result;
@@ -87,6 +89,7 @@ void add_run(CLI::App& program) {
     run.header.id = store::Writer(options->db).add_run(run);
     if (options->json) {
       nlohmann::ordered_json answer = store::to_json(run);
+      if (!warned.empty()) answer["warnings"] = scenarios::to_json(warned);
       if (!result.standstills.empty()) answer["standstills"] = result.standstills;
       if (*check) answer["check"] = check_of(result);
       fmt::print("{}\n", answer.dump(2));

@@ -5,17 +5,19 @@
 #include <fmt/format.h>
 
 #include "app/results.h"
+#include "app/study_session.h"
+#include "app/table.h"
+#include "models/catalogue/catalogue.h"
+#include "optimize/compare.h"
+#include "store/result_json.h"
 
 namespace verstat::app {
 
 using nlohmann::ordered_json;
+using store::number_or_null;
 using namespace optimize;
 
 namespace {
-
-ordered_json number_or_null(const std::optional<double>& value) {
-  return value && std::isfinite(*value) ? ordered_json(*value) : ordered_json(nullptr);
-}
 
 ordered_json point(const StudySpec& study, const std::vector<double>& x) {
   ordered_json values = ordered_json::array();
@@ -27,13 +29,6 @@ ordered_json point(const StudySpec& study, const std::vector<double>& x) {
   return values;
 }
 
-// What an objective is called in a sentence about it.
-std::string called(const std::string& kpi) {
-  if (kpi == "cost_per_part") return "cost per part";
-  if (kpi == "cost_per_good_part") return "cost per good part";
-  return kpi;
-}
-
 std::string words_of(const StudyFindings& f) {
   if (!f.answer.interrupted.empty())
     return fmt::format(
@@ -42,6 +37,19 @@ std::string words_of(const StudyFindings& f) {
   if (!f.answer.best)
     return f.nearest_miss.empty() ? "No feasible plan was found."
                                   : "No feasible plan was found: " + f.nearest_miss + ".";
+  if (!f.study.objective.function.empty()) {
+    const double best = f.answer.best->value;
+    std::string words = fmt::format("The best plan's {} is {:.6g}", f.study.objective.label(), best);
+    if (f.answer.baseline_value && *f.answer.baseline_value != 0) {
+      const double share = best / *f.answer.baseline_value - 1;
+      words += std::abs(share) < 1e-6
+                   ? std::string(", which is today's")
+                   : fmt::format(", {:+.3g} % against today's {:.6g}", 100 * share, *f.answer.baseline_value);
+    }
+    words += ", as the catalogue computes it.";
+    if (!f.answer.baseline_feasible) words += " Today's plan does not meet the constraints.";
+    return words;
+  }
   if (!f.confirmation) return "The best plan was not confirmed by simulation.";
   const auto kpi = *f.confirmation->baseline.index_of(f.study.objective.kpi);
   const auto base = f.confirmation->baseline.estimates[kpi].mean;
@@ -51,7 +59,7 @@ std::string words_of(const StudyFindings& f) {
   const double percent = 100 * *saving / std::abs(*base);
   const double percent_half = 100 * *half / std::abs(*base);
   const bool cost = f.study.objective.kpi == "cost_per_part";
-  const std::string what = called(f.study.objective.kpi);
+  const std::string what = kpi_in_words(f.study.objective.kpi);
   std::string words;
   if (f.confirmation->verdict == "not distinguishable") {
     words = fmt::format("The best plan and today's cannot be told apart: {:.2f} +- {:.2f} % of the {}.",
@@ -101,7 +109,7 @@ ordered_json front_json(const StudySpec& study, const FrontAnswer& front) {
   ordered_json objectives = ordered_json::array();
   for (const ObjectiveSpec& o : study.objectives)
     objectives.push_back(
-        {{"kpi", o.kpi}, {"direction", o.direction == Direction::maximize ? "maximize" : "minimize"}});
+        {{"kpi", o.label()}, {"direction", o.direction == Direction::maximize ? "maximize" : "minimize"}});
   ordered_json points = ordered_json::array();
   for (const FrontEstimate& p : front.points) {
     points.push_back({{"values", point(study, p.x)}, {"objectives", p.objectives}});
@@ -132,7 +140,10 @@ ordered_json to_json(const StudyFindings& f) {
   std::string unit = study.objective.kpi.starts_with("cost") ? f.currency : "1";
   if (f.confirmation)
     unit = f.confirmation->baseline.kpis[*f.confirmation->baseline.index_of(study.objective.kpi)].unit;
-  ordered_json j = {{"objective", study.objective.kpi},
+  if (!study.objective.function.empty())
+    for (const auto& output : models::catalogue().at(study.objective.function).outputs)
+      if (output.name == study.objective.output) unit = output.unit;
+  ordered_json j = {{"objective", study.objective.label()},
                     {"direction", study.objective.direction == Direction::maximize ? "maximize" : "minimize"},
                     {"unit", unit},
                     {"baseline",
@@ -155,7 +166,8 @@ ordered_json to_json(const StudyFindings& f) {
   else if (!f.answer.best)
     j["verdict"] = "infeasible";
   else
-    j["verdict"] = f.confirmation ? f.confirmation->verdict : "not confirmed";
+    j["verdict"] = f.confirmation ? f.confirmation->verdict
+                                  : (study.objective.function.empty() ? "not confirmed" : "computed");
   j["words"] = words_of(f);
   if (!f.answer.interrupted.empty()) j["interrupted"] = f.answer.interrupted;
   if (!f.answer.not_covered.empty()) j["simulation_only"] = f.answer.not_covered;
@@ -169,16 +181,24 @@ ordered_json to_json(const StudyFindings& f) {
   if (f.answer.front) j["front"] = front_json(study, *f.answer.front);
   if (!f.binding.empty()) {
     j["binding"] = ordered_json::array();
-    for (const Binding& b : f.binding)
+    for (const Binding& b : f.binding) {
+      std::string room = b.unit == "1" ? "unit" : b.unit;
+      if (f.confirmation)  // a KPI has its unit from the run
+        if (const auto k = f.confirmation->best.index_of(b.name)) room = f.confirmation->best.kpis[*k].unit;
+      const bool saves = study.objective.kpi.starts_with("cost_per_");
       j["binding"].push_back(
           {{"name", b.name},
            {"unit", b.unit},
            {"value", b.value},
            {"allowed", b.allowed},
            {"shadow_price", b.shadow_price},
-           {"words", fmt::format("1 {} more room at \"{}\" would improve the {} by {:.3g} {}",
-                                 b.unit == "1" ? "unit" : b.unit, b.name, called(study.objective.kpi),
-                                 b.shadow_price, unit)}});
+           {"words",
+            saves
+                ? fmt::format("1 {} more room at \"{}\" saves {:.3g} {} per {}", room, b.name, b.shadow_price,
+                              unit, study.objective.kpi == "cost_per_part" ? "part" : "good part")
+                : fmt::format("1 {} more room at \"{}\" improves the {} by {:.3g} {}", room, b.name,
+                              kpi_in_words(study.objective.label()), b.shadow_price, unit)}});
+    }
   }
   if (!f.sensitivity.empty()) {
     j["sensitivity"] = ordered_json::array();
@@ -204,6 +224,8 @@ ordered_json to_json(const StudyFindings& f) {
                               {"speed_shop_m_min", c.speed_shop_m_min},
                               {"life_shop_min", c.life_shop_min},
                               {"load", c.load},
+                              {"waits_for_crew", c.waits_for_crew},
+                              {"waits_for_stock", c.waits_for_stock},
                               {"why", c.why}});
   }
   return j;
@@ -215,9 +237,6 @@ std::string value_text(const ordered_json& value) {
   return value.contains("text") ? value["text"].get<std::string>()
                                 : fmt::format("{:.6g}", value["value"].get<double>());
 }
-std::optional<double> optional_of(const ordered_json& j) {
-  return j.is_null() ? std::nullopt : std::optional(j.get<double>());
-}
 std::string six(const ordered_json& j) {
   return j.is_null() ? "-" : fmt::format("{:.6g}", j.get<double>());
 }
@@ -225,39 +244,41 @@ std::string six(const ordered_json& j) {
 void print_plan(const ordered_json& r) {
   const auto& today = r["baseline"];
   const bool has_best = r.contains("best");
-  fmt::print("{:<36} {:>16} {:>16}\n", "", "today", "best");
+  Table table("lrrl");
+  table.add({"", "today", "best"});
   for (std::size_t k = 0; k < today["values"].size(); ++k) {
     const std::string unit = today["values"][k]["unit"].get<std::string>();
-    fmt::print("{:<36} {:>16} {:>16}  {}\n", today["values"][k]["name"].get<std::string>(),
-               value_text(today["values"][k]), has_best ? value_text(r["best"]["values"][k]) : "-",
-               unit == "1" ? "" : unit);
+    table.add({today["values"][k]["name"].get<std::string>(), value_text(today["values"][k]),
+               has_best ? value_text(r["best"]["values"][k]) : "-", unit == "1" ? "" : unit});
   }
   const std::string unit = r["unit"].get<std::string>();
-  const std::string what = called(r["objective"].get<std::string>());
-  fmt::print("{:<36} {:>16} {:>16}  {}\n", what + ", long run", six(today["analytic"]),
-             has_best ? six(r["best"]["analytic"]) : "-", unit);
-  const auto simulated = [](const ordered_json& side) {
-    return shown(optional_of(side["simulated"]["mean"]), optional_of(side["simulated"]["half_width_95"]));
-  };
-  fmt::print("{:<36} {:>16} {:>16}  {}\n", what + ", simulated", simulated(today),
-             has_best ? simulated(r["best"]) : "-", unit);
+  const std::string what = kpi_in_words(r["objective"].get<std::string>());
+  const bool computed = r["verdict"] == "computed";
+  table.add({what + (computed ? "" : ", long run"), six(today["analytic"]),
+             has_best ? six(r["best"]["analytic"]) : "-", unit});
+  if (!computed)
+    table.add({what + ", simulated", shown(today["simulated"], "half_width_95"),
+               has_best ? shown(r["best"]["simulated"], "half_width_95") : "-", unit});
+  table.print();
 }
 
 void print_front(const ordered_json& front) {
-  fmt::print("\nfront (* is the knee), hypervolume {:.6g}\n  ", front["hypervolume"].get<double>());
-  for (const auto& v : front["points"][0]["values"]) fmt::print(" {:>16.16}", v["name"].get<std::string>());
-  for (const auto& o : front["objectives"]) fmt::print(" {:>18.18}", o["kpi"].get<std::string>());
-  fmt::print("\n");
+  fmt::print("\nfront (* is the knee), hypervolume {:.6g}\n", front["hypervolume"].get<double>());
+  const std::size_t columns = front["points"][0]["values"].size() + front["objectives"].size();
+  Table table("l" + std::string(columns, 'r'));
+  std::vector<std::string> head{""};
+  for (const auto& v : front["points"][0]["values"]) head.push_back(v["name"].get<std::string>());
+  for (const auto& o : front["objectives"]) head.push_back(o["kpi"].get<std::string>());
+  table.add(std::move(head));
   for (std::size_t k = 0; k < front["points"].size(); ++k) {
     const auto& p = front["points"][k];
-    fmt::print("{} ", k == front["knee"].get<std::size_t>() ? "*" : " ");
-    for (const auto& v : p["values"]) fmt::print(" {:>16}", value_text(v));
+    std::vector<std::string> row{k == front["knee"].get<std::size_t>() ? "*" : ""};
+    for (const auto& v : p["values"]) row.push_back(value_text(v));
     for (std::size_t o = 0; o < p["objectives"].size(); ++o)
-      fmt::print(" {:>18}", p.contains("simulated") ? shown(optional_of(p["simulated"][o]["mean"]),
-                                                            optional_of(p["simulated"][o]["half_width"]))
-                                                    : six(p["objectives"][o]));
-    fmt::print("\n");
+      row.push_back(p.contains("simulated") ? shown(p["simulated"][o]) : six(p["objectives"][o]));
+    table.add(std::move(row));
   }
+  table.print();
 }
 
 }  // namespace
@@ -275,28 +296,29 @@ void print_findings(const ordered_json& r) {
                  b["allowed"].get<double>(), b["words"].get<std::string>());
   }
   if (r.contains("one_cut")) {
-    fmt::print("\n{:<28} {:>12} {:>12} {:>12}  one cut against the shop, m/min\n", "operation", "least cost",
-               "most parts", "the plan");
+    fmt::print("\none cut against the shop, m/min\n");
+    Table table("lrrrl");
+    table.add({"operation", "least cost", "most parts", "the plan", "why"});
+    const auto four = [](const ordered_json& j) {
+      return j.is_null() ? std::string("-") : fmt::format("{:.4g}", j.get<double>());
+    };
     for (const auto& c : r["one_cut"])
-      fmt::print("{:<28} {:>12.4g} {:>12} {:>12.4g}  {}\n", c["operation"].get<std::string>(),
-                 c["speed_min_cost_m_min"].get<double>(),
-                 c["speed_max_rate_m_min"].is_null()
-                     ? "-"
-                     : fmt::format("{:.4g}", c["speed_max_rate_m_min"].get<double>()),
-                 c["speed_shop_m_min"].get<double>(), c["why"].get<std::string>());
+      table.add({c["operation"].get<std::string>(), four(c["speed_min_cost_m_min"]),
+                 four(c["speed_max_rate_m_min"]), four(c["speed_shop_m_min"]), c["why"].get<std::string>()});
+    table.print();
   }
   if (r.contains("sensitivity")) {
-    fmt::print(
-        "\n{:<44} {:>12} {:>12} {:>14}  best objective if the input is off, and what keeping this plan "
-        "loses\n",
-        "input", "lower", "higher", "regret");
+    fmt::print("\nbest objective if the input is off, and what keeping this plan loses then\n");
+    Table table("lrrrr");
+    table.add({"input", "lower", "higher", "lost, lower", "lost, higher"});
+    const auto lost = [](const ordered_json& j) {
+      return j.is_null() ? std::string("broken") : fmt::format("{:.2g}", j.get<double>());
+    };
     for (const auto& s : r["sensitivity"])
-      fmt::print(
-          "{:<44} {:>12} {:>12} {:>6} / {:<6}\n",
-          fmt::format("{} +- {:g} %", s["name"].get<std::string>(), 100 * s["relative"].get<double>()),
-          six(s["objective_low"]), six(s["objective_high"]),
-          s["regret_low"].is_null() ? "broken" : fmt::format("{:.2g}", s["regret_low"].get<double>()),
-          s["regret_high"].is_null() ? "broken" : fmt::format("{:.2g}", s["regret_high"].get<double>()));
+      table.add({fmt::format("{} +- {:g} %", s["name"].get<std::string>(), 100 * s["relative"].get<double>()),
+                 six(s["objective_low"]), six(s["objective_high"]), lost(s["regret_low"]),
+                 lost(s["regret_high"])});
+    table.print();
   }
 }
 

@@ -1,15 +1,14 @@
 #include "app/study_session.h"
 
+#include <charconv>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "app/elsewhere.h"
 #include "app/interrupt.h"
 #include "app/results.h"
+#include "store/result_json.h"
 
 namespace verstat::app {
 
@@ -176,37 +175,37 @@ std::vector<scenarios::Change> changes_from_text(const std::string& text) {
   return changes;
 }
 
-LoadedScenario load_scenario_text(const std::string& text, const std::string& where,
-                                  const std::vector<scenarios::Change>& changes) {
-  LoadedScenario loaded;
-  try {
-    loaded.text = text;
-    loaded.json = scenarios::parse_json(text);
-    if (loaded.json.is_object() && !loaded.json.contains("simulation"))
-      loaded.json["simulation"] = json::object();
-    loaded.json = scenarios::apply(std::move(loaded.json), changes);
-    loaded.scenario = scenarios::load(loaded.json);
-  } catch (const scenarios::InputError& e) {
-    throw UsageError(fmt::format("{}: {}", where, e.what()));
-  }
-  return loaded;
+void print_json(std::int64_t study, const ordered_json& members) {
+  ordered_json out = {{"study", study}};
+  out.update(members);
+  fmt::print("{}\n", out.dump(2));
 }
 
-void write_file(const std::string& file, const std::string& text) {
-  const std::string half = fmt::format("{}.{}.tmp", file, ::getpid());
-  {
-    std::ofstream out(half, std::ios::binary);
-    out << text;
-    out.close();
-    if (!out) {
-      std::error_code ignored;
-      std::filesystem::remove(half, ignored);
-      throw UsageError(fmt::format("{}: cannot be written", file));
-    }
-  }
-  std::error_code error;
-  std::filesystem::rename(half, file, error);
-  if (error) throw UsageError(fmt::format("{}: cannot be written ({})", file, error.message()));
+std::string shown(const ordered_json& estimate, const char* half_width) {
+  const auto value = [](const ordered_json& x) {
+    return x.is_null() ? std::nullopt : std::optional(x.get<double>());
+  };
+  return shown(value(estimate.at("mean")), value(estimate.at(half_width)));
+}
+
+ordered_json estimate_json(const shop::Estimate& e, const char* half_width) {
+  return {{"mean", store::number_or_null(e.mean)}, {half_width, store::number_or_null(e.half_width)}};
+}
+
+store::StoreError with_way_on(const store::StoreError& error, const std::string& command,
+                              const StudySession& session) {
+  return store::StoreError(fmt::format(
+      "{}; the {} finished trials of study {} are kept: when there is room, go on with verstat {} "
+      "--resume {} --db {}",
+      error.what(), session.trials(), session.id(), command, session.id(), session.database()));
+}
+
+std::int64_t study_number(const std::string& text) {
+  std::int64_t id = 0;
+  const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), id);
+  if (error != std::errc() || stop != text.data() + text.size() || id < 1)
+    throw UsageError(fmt::format("--resume {}: must be the number of a study", text.substr(0, 100)));
+  return id;
 }
 
 std::string changed_text(const std::string& scenario_text, const std::vector<scenarios::Change>& changes) {

@@ -38,6 +38,7 @@ class StudySession {
   [[nodiscard]] store::Writer& writer() { return *writer_; }
   [[nodiscard]] optimize::Ledger& ledger() { return ledger_; }
   [[nodiscard]] std::int64_t trials() const { return trials_; }
+  [[nodiscard]] std::string database() const { return writer_->file().string(); }
   void set_budget(double time_s, std::int64_t trials) {
     time_budget_s_ = time_s;
     trial_budget_ = trials;
@@ -86,11 +87,19 @@ class StudySession {
 [[nodiscard]] shop::RunResult result_of(const store::Run& run);
 /// The changes as stored: JSON list of {"pointer", "value"}.
 [[nodiscard]] std::vector<scenarios::Change> changes_from_text(const std::string& text);
-/// A scenario text with changes, checked, as load_scenario does with a file.
-[[nodiscard]] LoadedScenario load_scenario_text(const std::string& text, const std::string& where,
-                                                const std::vector<scenarios::Change>& changes);
-/// Writes a whole file or nothing. Throws UsageError.
-void write_file(const std::string& file, const std::string& text);
+/// What `--json` prints of a study: its number, then the members of the answer.
+void print_json(std::int64_t study, const nlohmann::ordered_json& members);
+/// {"mean", `half_width`} with null where there is none.
+[[nodiscard]] nlohmann::ordered_json estimate_json(const shop::Estimate& estimate,
+                                                   const char* half_width = "half_width");
+/// The same as text: "125.87 +- 0.21".
+[[nodiscard]] std::string shown(const nlohmann::ordered_json& estimate,
+                                const char* half_width = "half_width");
+/// What the database said when it could not keep a trial, and how the study goes on.
+[[nodiscard]] store::StoreError with_way_on(const store::StoreError& error, const std::string& command,
+                                            const StudySession& session);
+/// The value of --resume. Throws UsageError.
+[[nodiscard]] std::int64_t study_number(const std::string& text);
 /// The text of a scenario with changes made, in the order of its members.
 [[nodiscard]] std::string changed_text(const std::string& scenario_text,
                                        const std::vector<scenarios::Change>& changes);

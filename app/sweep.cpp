@@ -8,8 +8,10 @@
 #include "app/cli.h"
 #include "app/results.h"
 #include "app/study_session.h"
+#include "app/table.h"
 #include "models/catalogue/closest.h"
 #include "optimize/designs.h"
+#include "store/result_json.h"
 
 namespace verstat::app {
 
@@ -137,10 +139,6 @@ Design design_of(const SweepCommand& c, const std::vector<Factor>& factors, std:
       fmt::format("--design {}: must be full, fractional, lhs, sobol or tornado", c.design.substr(0, 100)));
 }
 
-ordered_json number_or_null(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
-}
-
 std::string name_of(const std::vector<Factor>& factors, const std::vector<std::size_t>& which) {
   std::string name;
   for (const std::size_t f : which) name += (name.empty() ? "" : " x ") + factors[f].pointer;
@@ -153,10 +151,7 @@ void sweep(SweepCommand& c) {
   LoadedScenario loaded;
   std::vector<scenarios::Change> changes;
   if (!c.resume.empty()) {
-    std::int64_t id = 0;
-    const auto [stop, error] = std::from_chars(c.resume.data(), c.resume.data() + c.resume.size(), id);
-    if (error != std::errc() || stop != c.resume.data() + c.resume.size() || id < 1)
-      throw UsageError(fmt::format("--resume {}: must be the number of a sweep", c.resume.substr(0, 100)));
+    const std::int64_t id = study_number(c.resume);
     if (!c.file.empty() || !c.factors.empty() || !c.common.set.empty() || !c.common.seed.empty() ||
         !c.common.replications.empty())
       throw UsageError("--resume: the sweep goes on as it was begun; nothing of it can be given again");
@@ -243,6 +238,8 @@ void sweep(SweepCommand& c) {
                                outcome.begin() + static_cast<std::ptrdiff_t>(k + 1) * n);
       session->progress("design", static_cast<std::int64_t>(p) + 1, static_cast<std::int64_t>(points));
     }
+  } catch (const store::StoreError& error) {
+    throw with_way_on(error, "sweep", *session);
   } catch (const optimize::Interrupted&) {
     session->finish("{}", "interrupted");
     fmt::print(stderr, "sweep {} goes on with: verstat sweep --resume {} --db {}\n", session->id(),
@@ -266,7 +263,7 @@ void sweep(SweepCommand& c) {
       for (const double v : responses[k][p])
         values.push_back(std::isfinite(v) ? std::optional(v) : std::nullopt);
       const shop::Estimate e = shop::estimate(values);
-      row[c.kpis[k]] = {{"mean", number_or_null(e.mean)}, {"half_width_95", number_or_null(e.half_width)}};
+      row[c.kpis[k]] = estimate_json(e, "half_width_95");
     }
     result["points"].push_back(std::move(row));
   }
@@ -285,11 +282,10 @@ void sweep(SweepCommand& c) {
         };
         const shop::Estimate low = paired(1 + 2 * f);
         const shop::Estimate high = paired(2 + 2 * f);
-        bars.push_back(
-            {{"factor", factors[f].pointer},
-             {"low", {{"mean", number_or_null(low.mean)}, {"half_width", number_or_null(low.half_width)}}},
-             {"high", {{"mean", number_or_null(high.mean)}, {"half_width", number_or_null(high.half_width)}}},
-             {"swing", low.mean && high.mean ? std::abs(*high.mean - *low.mean) : 0.0}});
+        bars.push_back({{"factor", factors[f].pointer},
+                        {"low", estimate_json(low)},
+                        {"high", estimate_json(high)},
+                        {"swing", low.mean && high.mean ? std::abs(*high.mean - *low.mean) : 0.0}});
       }
       std::stable_sort(bars.begin(), bars.end(), [](const ordered_json& a, const ordered_json& b) {
         return a["swing"].get<double>() > b["swing"].get<double>();
@@ -298,10 +294,19 @@ void sweep(SweepCommand& c) {
     } else {
       try {
         ordered_json list = ordered_json::array();
-        for (const Effect& e : optimize::effects(design, responses[k], 0.95)) {
+        double largest = 0;
+        for (const auto& row : responses[k])
+          for (const double v : row) largest = std::max(largest, std::abs(v));
+        for (Effect e : optimize::effects(design, responses[k], 0.95)) {
+          // What least squares leaves of a response that does not move is rounding.
+          if (std::abs(e.effect) + e.half_width.value_or(0) < 1e-12 * largest)
+            e = {.factors = e.factors,
+                 .effect = 0,
+                 .half_width = e.half_width ? std::optional(0.0) : std::nullopt,
+                 .aliases = e.aliases};
           list.push_back({{"effect", name_of(factors, e.factors)},
                           {"value", e.effect},
-                          {"half_width", number_or_null(e.half_width)}});
+                          {"half_width", store::number_or_null(e.half_width)}});
           if (e.aliases.empty()) continue;
           list.back()["aliases"] = ordered_json::array();
           for (const auto& alias : e.aliases) list.back()["aliases"].push_back(name_of(factors, alias));
@@ -316,48 +321,43 @@ void sweep(SweepCommand& c) {
   session->finish(result.dump(), "finished");
 
   if (c.common.json) {
-    ordered_json out = {{"study", session->id()}};
-    out.update(result);
-    fmt::print("{}\n", out.dump(2));
+    print_json(session->id(), result);
     return;
   }
   fmt::print("{}: {} points ({}{}), {} replications each under the same random numbers; +- at 95 %\n",
              loaded.scenario.name, points, c.design,
              design.resolution > 0 ? fmt::format(", resolution {}", design.resolution) : "", n);
-  const auto shown_of = [](const ordered_json& j, const char* half) {
-    const auto value = [](const ordered_json& x) {
-      return x.is_null() ? std::nullopt : std::optional(x.get<double>());
-    };
-    return shown(value(j["mean"]), value(j[half]));
-  };
   for (std::size_t f = 0; f < factors.size(); ++f) fmt::print("{:>2} {}\n", f + 1, factors[f].pointer);
   fmt::print("\n");
-  for (std::size_t f = 0; f < factors.size(); ++f) fmt::print("{:>12}", f + 1);
-  for (const std::string& kpi : c.kpis) fmt::print("{:>26}", kpi);
-  fmt::print("\n");
+  Table table(std::string(factors.size() + c.kpis.size(), 'r'), "", 10);
+  std::vector<std::string> head;
+  for (std::size_t f = 0; f < factors.size(); ++f) head.push_back(std::to_string(f + 1));
+  head.insert(head.end(), c.kpis.begin(), c.kpis.end());
+  table.add(std::move(head));
   constexpr std::size_t most_lines = 64;
   for (std::size_t p = 0; p < std::min(points, most_lines); ++p) {
+    std::vector<std::string> row;
     for (const auto& value : result["points"][p]["values"])
-      fmt::print("{:>12}",
-                 value.is_number() ? fmt::format("{:.6g}", value.get<double>()) : value.dump().substr(0, 11));
-    for (const std::string& kpi : c.kpis)
-      fmt::print("{:>26}", shown_of(result["points"][p][kpi], "half_width_95"));
-    fmt::print("\n");
+      row.push_back(value.is_number() ? fmt::format("{:.6g}", value.get<double>())
+                                      : (value.is_string() ? value.get<std::string>() : value.dump()));
+    for (const std::string& kpi : c.kpis) row.push_back(shown(result["points"][p][kpi], "half_width_95"));
+    table.add(std::move(row));
   }
+  table.print();
   if (points > most_lines) fmt::print("... {} more; --json has them all\n", points - most_lines);
   for (const auto& one : result["kpis"]) {
     fmt::print("\n{}\n", one["kpi"].get<std::string>());
+    Table effects(one.contains("tornado") ? "lrrrr" : "lrl", "  ");
     if (one.contains("tornado"))
       for (const auto& bar : one["tornado"])
-        fmt::print("  {:<50} low {:>20}  high {:>20}\n", bar["factor"].get<std::string>(),
-                   shown_of(bar["low"], "half_width"), shown_of(bar["high"], "half_width"));
+        effects.add({bar["factor"].get<std::string>(), "low", shown(bar["low"]), "high", shown(bar["high"])});
     if (one.contains("effects"))
       for (const auto& e : one["effects"])
-        fmt::print(
-            "  {:<60} {:>20}{}\n", e["effect"].get<std::string>(),
-            shown(e["value"].get<double>(),
-                  e["half_width"].is_null() ? std::nullopt : std::optional(e["half_width"].get<double>())),
-            e.contains("aliases") ? fmt::format("  or {}", e["aliases"][0].get<std::string>()) : "");
+        effects.add({e["effect"].get<std::string>(),
+                     shown({{"mean", e["value"]}, {"half_width", e["half_width"]}}),
+                     e.contains("aliases") ? "or " + e["aliases"][0].get<std::string>() : ""});
+    effects.print();
+    if (one.contains("no_effects")) fmt::print("  no effects: {}\n", one["no_effects"].get<std::string>());
   }
   fmt::print("\nstudy {} in {}\n", session->id(), c.common.db);
 }

@@ -1,34 +1,14 @@
 // verstat trace: one replication, event by event. verstat graph: the shop as a picture.
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "app/cli.h"
+#include "app/files.h"
 #include "sim/shop/shop.h"
 #include "sim/shop/trace_export.h"
 
 namespace verstat::app {
-
-namespace {
-
-// Whole or not at all: written beside the target and renamed.
-void write_file(const std::string& path, const std::string& text) {
-  const std::string beside = fmt::format("{}.{}.part", path, ::getpid());
-  std::ofstream out(beside, std::ios::binary);
-  out << text;
-  out.close();
-  if (!out) {
-    std::filesystem::remove(beside);
-    throw UsageError(
-        fmt::format("--out {}: cannot be written; name a file in an existing directory with room", path));
-  }
-  std::filesystem::rename(beside, path);
-}
-
-}  // namespace
 
 void add_trace(CLI::App& program) {
   auto options = std::make_shared<CommonOptions>();
@@ -68,7 +48,7 @@ void add_trace(CLI::App& program) {
     if (out->empty())
       fmt::print("{}", text.str());
     else
-      write_file(*out, text.str());
+      write_file("--out", *out, text.str());
   });
 }
 

@@ -17,6 +17,8 @@ void add_validate(CLI::App& program) {
   command->callback([options, file] {
     const LoadedScenario loaded = load_scenario(*file, changes_of(*options));
     const scenarios::Scenario& s = loaded.scenario;
+    const auto warned = scenarios::warnings(s);
+    print_warnings(warned);
     std::int64_t machines = 0;
     for (const auto& machine : s.machines) machines += machine.count;
     if (options->json) {
@@ -26,7 +28,8 @@ void add_validate(CLI::App& program) {
                                              {"tools", s.tools.size()},
                                              {"crews", s.crews.size()},
                                              {"part_types", s.parts.size()},
-                                             {"operations", s.operations.size()}};
+                                             {"operations", s.operations.size()},
+                                             {"warnings", scenarios::to_json(warned)}};
       fmt::print("{}\n", answer.dump(2));
     } else {
       fmt::print("{} is valid: \"{}\", {} machines, {} tools, {} crews, {} part types\n", *file, s.name,

@@ -15,6 +15,31 @@ std::optional<double> CutPlan::value_of(const std::string& name) const {
   return std::nullopt;
 }
 
+const char* CutPlan::unit_of(const std::string& name) const {
+  for (const Quantity& q : quantities)
+    if (name == q.name) return q.unit;
+  return "1";
+}
+
+const PartState* CutPlan::left(const std::string& quantity) const {
+  for (const PartState& state : leaves)
+    if (quantity == state.quantity) return &state;
+  return nullptr;
+}
+
+Detection GaugeWear::at(double worn_share) const {
+  const auto above = std::upper_bound(worn.begin(), worn.end(), worn_share);
+  const auto high =
+      std::clamp<std::size_t>(static_cast<std::size_t>(above - worn.begin()), 1, worn.size() - 1);
+  const std::size_t low = high - 1;
+  const double t = std::clamp((worn_share - worn[low]) / (worn[high] - worn[low]), 0.0, 1.0);
+  Detection d;
+  d.sensitivity = sensitivity[low] + t * (sensitivity[high] - sensitivity[low]);
+  d.specificity = specificity[low] + t * (specificity[high] - specificity[low]);
+  d.origin = origin;
+  return d;
+}
+
 EdgeLife PreparedLot::edge_life(const EdgeLife& delivered) const {
   EdgeLife prepared = delivered;
   prepared.law = law;

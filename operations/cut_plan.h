@@ -69,6 +69,29 @@ struct Detection {
   const char* origin = "";
 };
 
+/// A quantity of the plan in which the part leaves: later operations receive it, and the drawing may ask for
+/// it.
+struct PartState {
+  const char* quantity = "";  ///< name of a quantity of the plan: "ra_um"
+  double sd = 0;              ///< scatter from part to part, in its unit; 0: none known
+};
+
+/// Gauges of an inspection that wear with every check (K307): what they find out as the wear goes on.
+struct GaugeWear {
+  double wear_per_check = 0;  ///< share of the wear allowance that a check takes
+  double start = 0;           ///< share worn off when the shop starts; new gauges have 0
+  double replace_at = 1;      ///< share at which a new gauge comes
+  double replace_min = 0;     ///< time of the station that this takes
+  double price = 0;           ///< of the gauges that are replaced
+  const char* origin = "";
+  /// At shares of the wear from 0 to replace_at or beyond, ascending; linear between.
+  std::vector<double> worn;
+  std::vector<double> sensitivity;
+  std::vector<double> specificity;
+  /// Sensitivity and specificity of gauges of which this share of the allowance is worn off, >= 0.
+  [[nodiscard]] Detection at(double worn_share) const;
+};
+
 /// Inserts or drills after a preparation: what the tools of a shop fit instead of those delivered.
 struct PreparedLot {
   models::LifeLawKind law = models::LifeLawKind::weibull;
@@ -126,13 +149,21 @@ struct CutPlan {
   std::vector<ForbiddenBand> bands;
   std::vector<Quantity> consumables;   ///< used per part
   std::optional<Detection> detection;  ///< of an inspection
+  std::optional<GaugeWear> gauge;      ///< of an inspection with gauges, besides its mean detection
   std::optional<PreparedLot> lot;      ///< of the preparation of a lot of tools
+  std::vector<PartState> leaves;       ///< the state in which the part leaves
   std::optional<Overload> overload;    ///< on a machine with a safety clutch
   SpindleLoad spindle;
 
   [[nodiscard]] bool feasible() const;
   /// Value of the quantity with this name; none when there is none.
   [[nodiscard]] std::optional<double> value_of(const std::string& name) const;
+  /// Its unit; "1" when there is none.
+  [[nodiscard]] const char* unit_of(const std::string& name) const;
+  /// The quantity with this name stays with the part; `sd` is its scatter from part to part.
+  void leave(const char* quantity, double sd = 0) { leaves.push_back({quantity, sd}); }
+  /// The state of the part with this name; null when the operation does not leave it.
+  [[nodiscard]] const PartState* left(const std::string& quantity) const;
   /// The quantity main_time_min, and its listing.
   void set_main_time(double value_min, const char* origin);
 };

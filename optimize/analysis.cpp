@@ -41,7 +41,8 @@ std::vector<Binding> binding_constraints(Problem& problem, const std::vector<dou
   if (!continuous) return all;
   const Look look = problem.look(best);
   const std::vector<Dimension> fixed = with_fixed_discrete(problem.dimensions(), best);
-  const SearchOptions local = local_search(options);
+  SearchOptions local = local_search(options);
+  local.slopes = [&](const std::vector<double>& x) { return measured(problem.slopes(x)); };
   // Both sides are searched alike, so that what the search misses cancels.
   const auto optimum = [&](const std::vector<Dimension>& dimensions, std::ptrdiff_t relaxed) {
     return minimize_mixed(
@@ -116,7 +117,9 @@ std::vector<Sensitivity> sensitivities(const Problem& problem, const std::vector
                             std::vector<double>& x) {
     Problem world(study, problem.scenario(), shifts);
     const auto measure = [&](const std::vector<double>& at) { return measured(world.evaluate(at)); };
-    const SearchResult there = minimize_mixed(measure, fixed, best, local);
+    SearchOptions search = local;
+    search.slopes = [&](const std::vector<double>& at) { return measured(world.slopes(at)); };
+    const SearchResult there = minimize_mixed(measure, fixed, best, search);
     objective = shown_value(study.objective, there.measured.value);
     x = there.x;
     const Measured kept = measure(best);
@@ -145,90 +148,6 @@ std::vector<Sensitivity> sensitivities(const Problem& problem, const std::vector
   std::stable_sort(all.begin(), all.end(), [](const Sensitivity& a, const Sensitivity& b) {
     return std::abs(a.objective_high - a.objective_low) > std::abs(b.objective_high - b.objective_low);
   });
-  return all;
-}
-
-double taylor_life_min_cost(double mu, double change_min, double change_cost, double machine_rate) {
-  return (mu - 1) * (change_min + change_cost / machine_rate);
-}
-
-std::vector<OneCut> one_cut_optima(const scenarios::Scenario& plan) {
-  std::vector<OneCut> all;
-  scenarios::Scenario shop = plan;  // its speeds are moved to and fro
-  LongRun run;
-  try {
-    run = LongRunModel(shop).evaluate();
-  } catch (const std::exception&) {
-    return all;  // no long run, no loads
-  }
-  for (std::size_t o = 0; o < shop.operations.size(); ++o) {
-    const auto& operation = shop.operations[o];
-    const operations::CutPlan& here = run.plans[o];
-    if (operation.tool.empty() || !here.edge) continue;
-    const std::vector<std::string> path{"operations", std::to_string(o), "process", "cutting_speed_m_min"};
-    double* speed = models::locate_in_fields(&shop, scenarios::scenario_fields(), path);
-    if (speed == nullptr || !(*speed > 0)) continue;
-    const double v = *speed;
-    constexpr double h = 1e-4;
-    operations::CutPlan slow;
-    operations::CutPlan fast;
-    try {
-      *speed = v * std::exp(-h);
-      slow = scenarios::plan(shop, operation);
-      *speed = v * std::exp(h);
-      fast = scenarios::plan(shop, operation);
-    } catch (const std::exception&) {
-      *speed = v;
-      continue;  // at the edge of the models' range
-    }
-    *speed = v;
-    const double mu = (std::log(slow.edge->mean_min) - std::log(fast.edge->mean_min)) / (2 * h);
-    const double time_exponent = (std::log(slow.main_time_min) - std::log(fast.main_time_min)) / (2 * h);
-    if (!(mu > 1) || std::abs(time_exponent - 1) > 0.02) continue;
-
-    const auto& tool = *scenarios::find_named(shop.tools, operation.tool);
-    const auto insert = scenarios::prepared(*scenarios::find_named(shop.inserts, tool.insert));
-    const auto& crew = *scenarios::find_named(shop.crews, tool.crew);
-    const auto& machine = shop.machines[scenarios::groups_of(shop, operation).front()];
-    if (!(machine.rate_per_min > 0)) continue;
-    // A planned change: of the n edges of an insert one is fitted, the others are indexed to.
-    const double replaces = 1 / edges_used_per_insert(insert.edges, 1.0, insert.single_edge_probability);
-    const double change_min = tool.change.positioning_min +
-                              replaces * scenarios::mean_min(tool.change.replace) +
-                              (1 - replaces) * scenarios::mean_min(tool.change.index);
-    const double edge = tool.insert_booking == scenarios::InsertBooking::life_periods
-                            ? insert.price / tool.periods_planned
-                            : insert.price * replaces;
-    const double wage = crew.pay == scenarios::CrewPay::busy ? crew.rate_per_min * change_min : 0;
-    OneCut cut{.operation = operation.name,
-               .life_min_cost_min = taylor_life_min_cost(mu, change_min, edge + wage + tool.regrind_planned,
-                                                         machine.rate_per_min),
-               .life_max_rate_min = taylor_life_min_cost(mu, change_min, 0, machine.rate_per_min),
-               .speed_shop_m_min = v,
-               .life_shop_min = here.edge->mean_min};
-    cut.speed_min_cost_m_min = v * std::pow(here.edge->mean_min / cut.life_min_cost_min, 1 / mu);
-    cut.speed_max_rate_m_min = v * std::pow(here.edge->mean_min / cut.life_max_rate_min, 1 / mu);
-    const auto group = static_cast<std::size_t>(&machine - shop.machines.data());
-    cut.load = run.machines[group].load;
-    const bool several = shop.machines.size() > 1;
-    const OperationCost& cost = run.operations[o];
-    const double failing = cost.changes_per_part > 0 ? cost.failures_per_part / cost.changes_per_part : 0;
-    if (several && group == run.bottleneck && v > cut.speed_min_cost_m_min)
-      cut.why = fmt::format("{} limits the shop: its minutes are worth more than its rate", machine.name);
-    else if (several && cut.load < 0.98 && v < cut.speed_min_cost_m_min)
-      cut.why =
-          fmt::format("{} has {:.0f} % of its time to spare: slower cutting saves edges and costs nothing",
-                      machine.name, 100 * (1 - cut.load));
-    else if (v < cut.speed_min_cost_m_min && failing > 0.02)
-      cut.why = fmt::format("{:.0f} % of the changes come after a failure, which the textbook does not price",
-                            100 * failing);
-    else if (v > cut.speed_max_rate_m_min)
-      cut.why =
-          "faster than the textbook's largest rate: the plan is held there by its bounds or another aim";
-    else
-      cut.why = "between smallest cost and largest rate";
-    all.push_back(std::move(cut));
-  }
   return all;
 }
 

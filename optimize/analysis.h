@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "optimize/problem.h"
+#include "sim/shop/run.h"
 
 namespace verstat::optimize {
 
@@ -51,15 +52,20 @@ struct OneCut {
   double life_max_rate_min = 0;
   double speed_shop_m_min = 0;  ///< in the plan
   double life_shop_min = 0;
-  double load = 0;  ///< of its machines
-  std::string why;  ///< the plan differs from the textbook because ...
+  double load = 0;             ///< of its machines
+  double waits_for_crew = 0;   ///< share of the tool's time, simulated; 0 without a simulation
+  double waits_for_stock = 0;  ///< likewise: for tools and inserts, or for room behind the machine
+  std::string why;             ///< the plan differs from the textbook because ...
 };
 /// Minimum-cost and maximum-rate speed of one cut with a deterministic Taylor life T ~ v^-mu:
 ///   T_cost = (mu - 1) (t_c + C_t / C_m),  T_rate = (mu - 1) t_c
 /// with t_c the time and C_t the money (crew and edge) of a planned change, C_m the machine's rate (Taylor
 /// 1907; Gilbert 1950). For operations with a wearing edge whose main time goes as 1 / v. mu is the local
-/// exponent of the plan's life.
-[[nodiscard]] std::vector<OneCut> one_cut_optima(const scenarios::Scenario& plan);
+/// exponent of the plan's life. The reason of the difference is looked for in the loads of the machines
+/// (bottleneck, demand), in the waits for crew and stock of the `simulated` plan, and in the failures. Empty
+/// when neither the long run nor a simulation knows the shop.
+[[nodiscard]] std::vector<OneCut> one_cut_optima(const scenarios::Scenario& plan,
+                                                 const shop::RunResult* simulated = nullptr);
 
 /// The closed form alone: mean life at the optimum, `machine_rate` > 0 money per minute, exponent mu > 1,
 /// change `change_min` >= 0, `change_cost` >= 0 money besides machine time.

@@ -76,12 +76,32 @@ Comparison compare(std::size_t variants, const RunVariant& run, const CompareOpt
   }
 }
 
+std::string kpi_in_words(const std::string& kpi) {
+  if (kpi.find('/') == std::string::npos && kpi.find(' ') != std::string::npos) return kpi;  // words already
+  std::string what = kpi.substr(kpi.rfind('/') + 1);
+  for (const std::string_view unit : {"_per_h", "_min", "_kwh"})
+    if (what.ends_with(unit) && what.size() > unit.size()) {
+      what.resize(what.size() - unit.size());
+      break;
+    }
+  const auto plain = [](std::string text) {
+    std::replace(text.begin(), text.end(), '_', ' ');
+    return text;
+  };
+  const auto first = kpi.find('/');
+  if (first == std::string::npos) return plain(what);
+  const auto second = kpi.find('/', first + 1);
+  // "cost/idle", "load/lathe"; "tool/roughing tool/failure_share", "machine/lathe/state/idle".
+  if (second == std::string::npos) return fmt::format("{} ({})", plain(kpi.substr(0, first)), plain(what));
+  return fmt::format("{} of {}", plain(what), kpi.substr(first + 1, second - first - 1));
+}
+
 std::string in_words(const Difference& d) {
-  const bool cost = d.kpi.starts_with("cost_per_");
-  const std::string subject = cost ? std::string("costs") : fmt::format("{} is", d.kpi);
+  const bool cost = d.kpi == "cost_per_part" || d.kpi == "cost_per_good_part";
+  const std::string subject = kpi_in_words(d.kpi);
   const std::string per = d.kpi == "cost_per_good_part" ? "per good part" : "per part";
   if (!d.difference.mean || !d.difference.half_width || !d.first.mean)
-    return fmt::format("{}: there are too few values to compare", d.kpi);
+    return fmt::format("{}: there are too few values to compare", subject);
   const bool relative = *d.first.mean != 0;
   const double scale = relative ? 100 / std::abs(*d.first.mean) : 1;
   const double mean = *d.difference.mean * scale;
@@ -92,17 +112,30 @@ std::string in_words(const Difference& d) {
   switch (d.verdict) {
     case Verdict::less:
       return cost ? fmt::format("costs {} less {}", amount, per)
-                  : fmt::format("{} {} lower", subject, amount);
+                  : fmt::format("{} is {} lower", subject, amount);
     case Verdict::more:
       return cost ? fmt::format("costs {} more {}", amount, per)
-                  : fmt::format("{} {} higher", subject, amount);
+                  : fmt::format("{} is {} higher", subject, amount);
     case Verdict::unchanged:
-      return cost ? fmt::format("costs the same {}", per) : fmt::format("{} unchanged", subject);
+      return cost ? fmt::format("costs the same {}", per) : fmt::format("{} is unchanged", subject);
     case Verdict::unclear:
       break;
   }
-  return fmt::format("{}: no difference can be told ({:+.{}f} +- {:.{}f} {})", d.kpi, mean, digits, half,
+  return fmt::format("{}: no difference can be told ({:+.{}f} +- {:.{}f} {})", subject, mean, digits, half,
                      digits, relative ? "%" : d.unit);
+}
+
+std::string in_words(const std::string& variant, const std::vector<Difference>& differences) {
+  std::string words;
+  for (const Difference& d : differences) {
+    const std::string one = in_words(d);
+    // "indexing at gamma 0.85 costs ..."; anything else is a sentence of its own.
+    if (words.empty())
+      words = variant + (one.starts_with("costs ") ? " " : ": ") + one;
+    else
+      words += "; " + one;
+  }
+  return words + ".";
 }
 
 }  // namespace verstat::optimize

@@ -50,7 +50,12 @@ using RunVariant =
 /// Adds the replications of `more` to `to`, and estimates again.
 void append(shop::RunResult& to, const shop::RunResult& more);
 
-/// "costs 3.1 +- 0.4 % less per part"; for other KPIs "throughput_per_h is 1.2 +- 0.3 % higher".
+/// What a KPI is called in a sentence: "throughput", "failure share of roughing tool", "cost (idle)".
+[[nodiscard]] std::string kpi_in_words(const std::string& kpi);
+/// "costs 3.1 +- 0.4 % less per part"; for other KPIs "throughput is 1.2 +- 0.3 % higher".
 [[nodiscard]] std::string in_words(const Difference& difference);
+/// The verdict on a variant: "indexing at gamma 0.85 costs 3.1 +- 0.4 % less per part; throughput is
+/// unchanged."
+[[nodiscard]] std::string in_words(const std::string& variant, const std::vector<Difference>& differences);
 
 }  // namespace verstat::optimize

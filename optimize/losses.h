@@ -19,9 +19,12 @@ struct Loss {
 ///   failure  an edge that fails costs no more time, damage or parts than a planned change; a machine does
 ///   not
 ///            fail in one of its modes
-///   change   indexing, replacing and positioning take no time; nor does a maintenance or a set-up
+///   change   indexing, replacing, swapping and positioning take no time; nor does the change of an element,
+///   a
+///            maintenance or a set-up
 ///   scrap    failures of a tool's edges spoil no part; an operation spoils none
-///   wait     a crew with as many members as there are machines
+///   wait     a crew with as many members as there are machines, and without walking; spare parts and inserts
+///            that are always there
 /// A loss that is zero already is not listed.
 [[nodiscard]] std::vector<Loss> losses_of(const scenarios::Scenario& scenario);
 

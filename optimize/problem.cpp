@@ -8,6 +8,7 @@
 
 #include "models/catalogue/catalogue.h"
 #include "models/catalogue/closest.h"
+#include "optimize/problem_world.h"
 #include "scenarios/model_json.h"
 
 namespace verstat::optimize {
@@ -15,13 +16,6 @@ namespace verstat::optimize {
 using nlohmann::json;
 using scenarios::InputError;
 using scenarios::Scenario;
-
-struct Problem::World {
-  Scenario scenario;
-  std::string refused;             // why there is no such shop; then nothing else is valid
-  std::vector<double*> variables;  // null: not continuous
-  std::unique_ptr<LongRunModel> model;
-};
 
 namespace {
 
@@ -48,6 +42,15 @@ const std::string* pointer_in(const models::Value& input) {
   return pointer == nullptr ? nullptr : pointer->text();
 }
 
+// What an input of a function finds at a place of the scenario: a continuous number as it stands, anything
+// else as the text has it.
+std::optional<models::Value> input_at(Problem::World& world, const std::string& pointer) {
+  if (const double* address = locate(world.scenario, pointer)) return models::Value(*address);
+  const json* there = find(world.text, pointer);
+  if (there == nullptr || there->is_structured()) return std::nullopt;
+  return scenarios::to_value(*there);
+}
+
 Checked against(double value, double allowed, bool at_most) {
   const double scale = allowed != 0 ? std::abs(allowed) : 1.0;
   return {value, allowed, (at_most ? allowed - value : value - allowed) / scale, scale};
@@ -72,7 +75,11 @@ Problem::Problem(const StudySpec& study, json scenario, std::vector<Shift> shift
     dimensions_.push_back({.bounds = {v.low, v.high},
                            .discrete = v.type != VariableType::continuous,
                            .ordered = v.type != VariableType::categorical});
-  baseline_world_ = make_world(scenario_, true);
+  needs_model_ = std::any_of(study.objectives.begin(), study.objectives.end(),
+                             [](const ObjectiveSpec& o) { return !o.kpi.empty(); }) ||
+                 std::any_of(study.constraints.begin(), study.constraints.end(),
+                             [](const ConstraintSpec& c) { return !c.kpi.empty(); });
+  baseline_world_ = make_world(scenario_, needs_model_);
   if (!baseline_world_->refused.empty()) throw InputError("", baseline_world_->refused);
   for (std::size_t k = 0; k < study.variables.size(); ++k) {
     const Variable& v = study.variables[k];
@@ -106,12 +113,18 @@ Problem::Problem(const StudySpec& study, json scenario, std::vector<Shift> shift
     baseline_.push_back(static_cast<double>(option));
   }
   check_bounds();
-  if (baseline_world_->model != nullptr) {
-    for (const ObjectiveSpec& objective : study.objectives) {
-      objective_kpis_.push_back(baseline_world_->model->kpi(objective.kpi));
-      if (!objective_kpis_.back() && not_covered_.empty())
-        not_covered_ = fmt::format("the long-run model does not know the KPI \"{}\"", objective.kpi);
-    }
+  for (std::size_t k = 0; k < study.objectives.size(); ++k) {
+    const ObjectiveSpec& objective = study.objectives[k];
+    objective_kpis_.emplace_back();
+    objective_functions_.emplace_back();
+    if (!objective.function.empty())
+      objective_functions_.back() =
+          function_at(study.objectives.size() > 1 ? fmt::format("/objectives/{}", k) : "/objective",
+                      objective.function, objective.output, objective.inputs, *baseline_world_);
+    if (baseline_world_->model == nullptr || objective.kpi.empty()) continue;
+    objective_kpis_.back() = baseline_world_->model->kpi(objective.kpi);
+    if (!objective_kpis_.back() && not_covered_.empty())
+      not_covered_ = fmt::format("the long-run model does not know the KPI \"{}\"", objective.kpi);
   }
   expand_conditions(*baseline_world_);
 }
@@ -141,6 +154,7 @@ std::unique_ptr<Problem::World> Problem::make_world(const json& text, bool with_
   auto world = std::make_unique<World>();
   try {
     world->scenario = scenarios::load(text);
+    world->text = text;
   } catch (const InputError& e) {
     world->refused = e.what();
     return world;
@@ -168,6 +182,34 @@ std::unique_ptr<Problem::World> Problem::make_world(const json& text, bool with_
   return world;
 }
 
+Condition Problem::function_at(const std::string& at, const std::string& function, const std::string& output,
+                               const models::Value& inputs, World& world) const {
+  Condition c{.kind = Condition::Kind::function};
+  try {
+    c.function = &models::catalogue().at(function);
+  } catch (const models::ModelError& e) {
+    throw InputError(at + "/function", fmt::format("{}/function: {}", at, e.what()));
+  }
+  const auto found = std::find_if(c.function->outputs.begin(), c.function->outputs.end(),
+                                  [&](const models::Field& f) { return f.name == output; });
+  if (found == c.function->outputs.end()) {
+    std::vector<std::string> names;
+    for (const auto& f : c.function->outputs) names.push_back(f.name);
+    throw InputError(at + "/output", fmt::format("{}/output = \"{}\", {} has no such output; closest: \"{}\"",
+                                                 at, output, function, models::closest(output, names)));
+  }
+  c.unit = found->unit;
+  c.item = output;
+  c.inputs = inputs;
+  if (c.inputs.map() == nullptr) c.inputs = models::Value(models::Value::Map{});
+  for (const auto& [name, input] : *c.inputs.map())
+    if (const std::string* pointer = pointer_in(input); pointer != nullptr && !input_at(world, *pointer))
+      throw InputError(
+          at + "/inputs/" + name,
+          fmt::format("{}/inputs/{}/pointer = \"{}\", leads to nothing in the scenario", at, name, *pointer));
+  return c;
+}
+
 void Problem::expand_conditions(World& world) {
   std::vector<operations::CutPlan> plans;
   for (const auto& operation : world.scenario.operations)
@@ -191,33 +233,10 @@ void Problem::expand_conditions(World& world) {
       if (world.model) c.long_run_kpi = world.model->kpi(spec.kpi);
       add(c, spec.kpi);
     } else if (!spec.function.empty()) {
-      Condition c = base;
-      c.kind = Condition::Kind::function;
-      try {
-        c.function = &models::catalogue().at(spec.function);
-      } catch (const models::ModelError& e) {
-        throw InputError(at + "/function", fmt::format("{}/function: {}", at, e.what()));
-      }
-      const auto output = std::find_if(c.function->outputs.begin(), c.function->outputs.end(),
-                                       [&](const models::Field& f) { return f.name == spec.output; });
-      if (output == c.function->outputs.end()) {
-        std::vector<std::string> names;
-        for (const auto& f : c.function->outputs) names.push_back(f.name);
-        throw InputError(at + "/output",
-                         fmt::format("{}/output = \"{}\", {} has no such output; closest: \"{}\"", at,
-                                     spec.output, spec.function, models::closest(spec.output, names)));
-      }
-      c.unit = output->unit;
-      c.item = spec.output;
-      c.inputs = spec.inputs;
-      if (c.inputs.map() == nullptr) c.inputs = models::Value(models::Value::Map{});
-      for (const auto& [name, input] : *c.inputs.map())
-        if (const std::string* pointer = pointer_in(input);
-            pointer != nullptr && locate(world.scenario, *pointer) == nullptr)
-          throw InputError(
-              at + "/inputs/" + name,
-              fmt::format("{}/inputs/{}/pointer = \"{}\", leads to no continuous number of the scenario", at,
-                          name, *pointer));
+      Condition c = function_at(at, spec.function, spec.output, spec.inputs, world);
+      c.at_most = base.at_most;
+      c.allowed = base.allowed;
+      c.confidence = base.confidence;
       add(c, fmt::format("{} of {}", spec.output, spec.function));
     } else {
       bool found = false;
@@ -265,16 +284,54 @@ void Problem::expand_conditions(World& world) {
   }
 }
 
+Checked Problem::check_plan(const Condition& c, const operations::CutPlan& plan) const {
+  Checked checked{.margin = 1};  // of what the plan does not have here
+  if (c.kind == Condition::Kind::quantity) {
+    if (const auto value = plan.value_of(c.item)) checked = against(*value, c.allowed, c.at_most);
+  } else if (c.kind == Condition::Kind::limit) {
+    for (const auto& l : plan.limits)
+      if (c.item == l.name) checked = against(l.value, l.allowed, l.at_most);
+  } else {
+    for (const auto& b : plan.bands)
+      if (c.item == b.name) {
+        const Checked one = band_distance(b);
+        if (one.margin < checked.margin) checked = one;  // bands of one knob may share a name
+      }
+  }
+  return checked;
+}
+
+Checked Problem::check_function(const Condition& c, World& world) const {
+  models::Value::Map inputs = *c.inputs.map();
+  for (auto& [name, input] : inputs)
+    if (const std::string* pointer = pointer_in(input)) {
+      const double* address = locate(world.scenario, *pointer);
+      if (address == nullptr) throw InputError("", fmt::format("\"{}\" leads to no number here", *pointer));
+      input = models::Value(*address);
+    }
+  const models::Value outputs = c.function->evaluate(models::Value(std::move(inputs)));
+  const models::Value* output = outputs.find(c.item);
+  double value = std::numeric_limits<double>::quiet_NaN();
+  if (output != nullptr && output->real() != nullptr) value = *output->real();
+  if (output != nullptr && output->integer() != nullptr) value = static_cast<double>(*output->integer());
+  if (output != nullptr && output->boolean() != nullptr) value = *output->boolean() ? 1 : 0;
+  return against(value, c.allowed, c.at_most);
+}
+
 Look Problem::look_in(World& world) const {
   Look look;
   std::vector<operations::CutPlan> own_plans;
   if (world.model != nullptr) {
     look.long_run = world.model->evaluate();
-    for (const auto& kpi : objective_kpis_)
-      if (kpi) look.objectives.push_back(world.model->value(*look.long_run, *kpi));
   } else {
     for (const auto& operation : world.scenario.operations)
       own_plans.push_back(scenarios::plan(world.scenario, operation));
+  }
+  for (std::size_t k = 0; k < study_.objectives.size(); ++k) {
+    if (objective_functions_[k])
+      look.objectives.push_back(check_function(*objective_functions_[k], world).value);
+    else if (objective_kpis_[k] && look.long_run)
+      look.objectives.push_back(world.model->value(*look.long_run, *objective_kpis_[k]));
   }
   const auto& plans = look.long_run ? look.long_run->plans : own_plans;
   for (const Condition& c : conditions_) {
@@ -284,43 +341,14 @@ Look Problem::look_in(World& world) const {
         if (c.long_run_kpi && world.model != nullptr)
           checked = against(world.model->value(*look.long_run, *c.long_run_kpi), c.allowed, c.at_most);
         break;
-      case Condition::Kind::quantity: {
-        const auto value = plans[c.operation].value_of(c.item);
-        checked = value ? against(*value, c.allowed, c.at_most) : Checked{.margin = 1};
-        break;
-      }
+      case Condition::Kind::quantity:
       case Condition::Kind::limit:
-        checked.margin = 1;  // a limit that the plan does not have here
-        for (const auto& l : plans[c.operation].limits)
-          if (c.item == l.name) checked = against(l.value, l.allowed, l.at_most);
-        break;
       case Condition::Kind::band:
-        checked.margin = 1;
-        for (const auto& b : plans[c.operation].bands)
-          if (c.item == b.name) {
-            const Checked one = band_distance(b);
-            if (one.margin < checked.margin) checked = one;  // bands of one knob may share a name
-          }
+        checked = check_plan(c, plans[c.operation]);
         break;
-      case Condition::Kind::function: {
-        models::Value::Map inputs = *c.inputs.map();
-        for (auto& [name, input] : inputs)
-          if (const std::string* pointer = pointer_in(input)) {
-            const double* address = locate(world.scenario, *pointer);
-            if (address == nullptr)
-              throw InputError("", fmt::format("\"{}\" leads to no number here", *pointer));
-            input = models::Value(*address);
-          }
-        const models::Value outputs = c.function->evaluate(models::Value(std::move(inputs)));
-        const models::Value* output = outputs.find(c.item);
-        double value = std::numeric_limits<double>::quiet_NaN();
-        if (output != nullptr && output->real() != nullptr) value = *output->real();
-        if (output != nullptr && output->integer() != nullptr)
-          value = static_cast<double>(*output->integer());
-        if (output != nullptr && output->boolean() != nullptr) value = *output->boolean() ? 1 : 0;
-        checked = against(value, c.allowed, c.at_most);
+      case Condition::Kind::function:
+        checked = check_function(c, world);
         break;
-      }
     }
     look.conditions.push_back(checked);
   }
@@ -337,7 +365,7 @@ Problem::World& Problem::world_at(const std::vector<double>& x) {
     for (std::size_t k = 0; k < x.size(); ++k)
       if (dimensions_[k].discrete)
         changes.push_back({study_.variables[k].pointer, value_at(study_.variables[k], x[k])});
-    world = make_world(scenarios::apply(scenario_, changes), true);
+    world = make_world(scenarios::apply(scenario_, changes), needs_model_);
   }
   if (world->refused.empty())
     for (std::size_t k = 0; k < x.size(); ++k)
@@ -387,6 +415,11 @@ Problem::Outcome Problem::evaluate(const std::vector<double>& x) {
 
 json Problem::scenario_at(const std::vector<double>& x) const {
   return scenarios::apply(scenario_, changes_at(study_.variables, x));
+}
+
+std::optional<MeasuredSlopes> measured(std::optional<Problem::OutcomeSlopes> slopes, std::size_t objective) {
+  if (!slopes) return std::nullopt;
+  return MeasuredSlopes{std::move(slopes->objectives[objective]), std::move(slopes->margins)};
 }
 
 Measured measured(const Problem::Outcome& outcome, std::size_t objective) {

@@ -74,7 +74,7 @@ class Problem {
   /// The variables as the scenario has them; outside the bounds perhaps.
   [[nodiscard]] const std::vector<double>& baseline() const { return baseline_; }
 
-  /// Empty when the long-run model knows every objective; else why it does not.
+  /// Empty when the long-run model, or a catalogue function, knows every objective; else why not.
   [[nodiscard]] const std::string& not_covered() const { return not_covered_; }
 
   /// Objectives (to be minimised) and margins of all conditions in the long run; KPIs that only the
@@ -84,6 +84,17 @@ class Problem {
     std::vector<double> margins;
   };
   [[nodiscard]] Outcome evaluate(const std::vector<double>& x);
+  /// Derivatives of an outcome with respect to every variable (0 for whole numbers and categories).
+  struct OutcomeSlopes {
+    std::vector<std::vector<double>> objectives;
+    std::vector<std::vector<double>> margins;
+  };
+  /// Of objectives and KPIs by automatic differentiation of the long-run model; what the process models bring
+  /// into it in closed form for the regime of turning, otherwise by central differences of the plans of the
+  /// operations concerned alone, as are margins of plans and functions. A number whose place in the model has
+  /// no derivative (the scatter of lives, arrivals) is moved by central differences of the whole. None at
+  /// undefined points and without a long-run model.
+  [[nodiscard]] std::optional<OutcomeSlopes> slopes(const std::vector<double>& x);
   /// Throws what the models throw.
   [[nodiscard]] Look look(const std::vector<double>& x);
   /// Of the scenario as it stands.
@@ -94,11 +105,19 @@ class Problem {
   /// The scenario with the variables at `x`, to read from until the next call.
   [[nodiscard]] const scenarios::Scenario& typed_scenario_at(const std::vector<double>& x);
 
+  struct World;  ///< one scenario with its long-run model
+
  private:
-  struct World;  // one scenario with its long-run model
   World& world_at(const std::vector<double>& x);
   std::unique_ptr<World> make_world(const nlohmann::json& text, bool with_model);
   [[nodiscard]] Look look_in(World& world) const;
+  [[nodiscard]] Checked check_plan(const Condition& condition, const operations::CutPlan& plan) const;
+  [[nodiscard]] Checked check_function(const Condition& condition, World& world) const;
+  struct Slope;  // with respect to one variable
+  [[nodiscard]] Slope slope(World& world, const Look& look, std::size_t variable);
+  [[nodiscard]] Condition function_at(const std::string& at, const std::string& function,
+                                      const std::string& output, const models::Value& inputs,
+                                      World& world) const;
   void expand_conditions(World& world);
   void check_bounds() const;
 
@@ -109,11 +128,16 @@ class Problem {
   std::vector<double> baseline_;
   std::vector<Condition> conditions_;
   std::string not_covered_;
+  bool needs_model_ = true;
   std::vector<std::optional<std::size_t>> objective_kpis_;
+  std::vector<std::optional<Condition>> objective_functions_;
   std::unique_ptr<World> baseline_world_;
   std::map<std::vector<double>, std::unique_ptr<World>> worlds_;  // by the discrete coordinates
 };
 
+/// Slopes of objective `k` and of all margins.
+[[nodiscard]] std::optional<MeasuredSlopes> measured(std::optional<Problem::OutcomeSlopes> slopes,
+                                                     std::size_t objective = 0);
 /// Objective `k` of a point as Measured, with all its margins.
 [[nodiscard]] Measured measured(const Problem::Outcome& outcome, std::size_t objective = 0);
 

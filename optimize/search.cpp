@@ -103,9 +103,19 @@ class Search {
   static double objective(const std::vector<double>& u, std::vector<double>& gradient, void* self) {
     Search& search = *static_cast<Search*>(self);
     const double value = search.value_at(u);
-    if (!gradient.empty())
-      search.differences(u, gradient.data(),
-                         [&](const std::vector<double>& v) { return search.value_at(v); });
+    if (gradient.empty()) return value;
+    if (const MeasuredSlopes* slopes = search.slopes_at(u)) {
+      const std::vector<double>& margins = search.at(u).margins;
+      for (std::size_t k = 0; k < u.size(); ++k) {
+        double slope = slopes->value[k];
+        // The penalty of value_at.
+        for (std::size_t c = 0; search.penalised_ && c < margins.size(); ++c)
+          if (margins[c] < 0) slope -= 10 * search.scale_ * slopes->margins[c][k];
+        gradient[k] = slope * search.width(k);
+      }
+      return value;
+    }
+    search.differences(u, gradient.data(), [&](const std::vector<double>& v) { return search.value_at(v); });
     return value;
   }
   static double constraint(const std::vector<double>& u, std::vector<double>& gradient, void* which) {
@@ -116,7 +126,11 @@ class Search {
       return defined(m) ? -m.margins[c.index] : 1.0;
     };
     const double value = unmet(u);
-    if (!gradient.empty()) search.differences(u, gradient.data(), unmet);
+    if (gradient.empty()) return value;
+    if (const MeasuredSlopes* slopes = search.slopes_at(u))
+      for (std::size_t k = 0; k < u.size(); ++k) gradient[k] = -slopes->margins[c.index][k] * search.width(k);
+    else
+      search.differences(u, gradient.data(), unmet);
     return value;
   }
 
@@ -130,6 +144,23 @@ class Search {
       const double f_high = f(high);
       gradient[k] = (f_high - f(low)) / (high[k] - low[k]);
     }
+  }
+
+  [[nodiscard]] double width(std::size_t k) const { return bounds_[k].high - bounds_[k].low; }
+
+  // Exact gradients of a point that is defined; null when there are none.
+  const MeasuredSlopes* slopes_at(const std::vector<double>& u) {
+    if (!options_.slopes || !defined(at(u))) return nullptr;
+    if (slopes_u_ != u) {
+      try {
+        slopes_ = options_.slopes(point_of(u));
+      } catch (...) {
+        error_ = std::current_exception();
+        throw nlopt::forced_stop();
+      }
+      slopes_u_ = u;
+    }
+    return slopes_ ? &*slopes_ : nullptr;
   }
 
   // What NLopt sees of the objective: finite always, with the penalty where it must be.
@@ -151,13 +182,7 @@ class Search {
       if (known_[k].u == u) return known_[k].measured;
     // Some algorithms overshoot maxeval or go on after an error: nothing more is computed then.
     if (error_ || result_.evaluations >= budget_) throw nlopt::forced_stop();
-    std::vector<double> x(u.size());
-    for (std::size_t k = 0; k < u.size(); ++k) {
-      const Bounds& b = bounds_[k];
-      // The start itself, bit for bit: it may have been measured before.
-      x[k] = u == start_u_ ? std::clamp(start_x_[k], b.low, b.high)
-                           : std::clamp(b.low + std::clamp(u[k], 0.0, 1.0) * (b.high - b.low), b.low, b.high);
-    }
+    std::vector<double> x = point_of(u);
     Known known{u, {}};
     try {
       known.measured = measure_(x);
@@ -184,6 +209,17 @@ class Search {
     return known_.back().measured;
   }
 
+  [[nodiscard]] std::vector<double> point_of(const std::vector<double>& u) const {
+    std::vector<double> x(u.size());
+    for (std::size_t k = 0; k < u.size(); ++k) {
+      const Bounds& b = bounds_[k];
+      // The start itself, bit for bit: it may have been measured before.
+      x[k] = u == start_u_ ? std::clamp(start_x_[k], b.low, b.high)
+                           : std::clamp(b.low + std::clamp(u[k], 0.0, 1.0) * (b.high - b.low), b.low, b.high);
+    }
+    return x;
+  }
+
   [[nodiscard]] bool is_start(const std::vector<double>& u) const {
     for (std::size_t k = 0; k < u.size(); ++k)
       if (!(std::abs(u[k] - start_u_[k]) < 1e-13)) return false;
@@ -206,6 +242,8 @@ class Search {
   std::vector<Known> known_;
   std::vector<double> start_u_;
   std::vector<double> start_x_;
+  std::vector<double> slopes_u_;  // of slopes_
+  std::optional<MeasuredSlopes> slopes_;
   std::exception_ptr error_;
   double worst_ = 0;
   double scale_ = 0;
@@ -286,19 +324,22 @@ SearchResult minimize(const Measure& measure, const std::vector<Bounds>& bounds,
       constrained ? nlopt::LN_COBYLA : (n == 1 ? nlopt::LN_SBPLX : nlopt::LN_BOBYQA);
   const int share = std::max(1, all / 4);
   if (options.global) search.run(nlopt::GN_DIRECT_L, start, std::min(share, 100 * n), 0);
-  const auto polish = [&] {
-    const std::vector<double> from = search.result().x;
-    search.run(local, from, share, precision);
-    if (constrained && options.differences) search.run(nlopt::LD_SLSQP, search.result().x, share, precision);
+  const bool exact = static_cast<bool>(options.slopes);
+  const nlopt::algorithm first = exact ? nlopt::LD_SLSQP : local;
+  const auto polish = [&](bool last) {
+    if (exact) search.run(nlopt::LD_SLSQP, search.result().x, share, precision);
+    if (!exact || last) search.run(local, std::vector<double>(search.result().x), share, precision);
+    if (constrained && (exact ? last : options.differences))
+      search.run(nlopt::LD_SLSQP, search.result().x, share, precision);
   };
-  polish();
+  polish(!options.global);
   if (options.global) {
-    search.run(local, start, share, precision);
+    search.run(first, start, share, precision);
     for (int k = 0; k < options.starts; ++k)
-      search.run(local, scattered(bounds, options.seed, k), std::max(1, share / std::max(1, options.starts)),
+      search.run(first, scattered(bounds, options.seed, k), std::max(1, share / std::max(1, options.starts)),
                  precision);
     // Once more from the best point: the trust region starts wide again.
-    polish();
+    polish(true);
   }
   return search.result();
 }
@@ -380,6 +421,18 @@ class MixedSearch {
       std::vector<double> start;
       for (const std::size_t c : continuous_) start.push_back(x[c]);
       std::vector<double> whole = x;
+      if (options_.slopes)
+        inner.slopes = [&](const std::vector<double>& part) -> std::optional<MeasuredSlopes> {
+          for (std::size_t k = 0; k < part.size(); ++k) whole[continuous_[k]] = part[k];
+          const auto all = options_.slopes(whole);
+          if (!all) return std::nullopt;
+          MeasuredSlopes own{.margins = std::vector<std::vector<double>>(all->margins.size())};
+          for (const std::size_t c : continuous_) {
+            own.value.push_back(all->value[c]);
+            for (std::size_t m = 0; m < own.margins.size(); ++m) own.margins[m].push_back(all->margins[m][c]);
+          }
+          return own;
+        };
       found = minimize(
           [&](const std::vector<double>& part) {
             for (std::size_t k = 0; k < part.size(); ++k) whole[continuous_[k]] = part[k];

@@ -8,6 +8,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,13 +29,22 @@ inline constexpr double margin_tolerance = 1e-8;
 /// Sum of what is missing to the constraints; infinite for an undefined point.
 [[nodiscard]] double violation(const Measured& m);
 
+/// Derivatives of a point with respect to every variable.
+struct MeasuredSlopes {
+  std::vector<double> value;
+  std::vector<std::vector<double>> margins;  ///< one list per constraint
+};
+/// None where they are not known.
+using Slopes = std::function<std::optional<MeasuredSlopes>(const std::vector<double>&)>;
+
 /// Every call is an evaluation. Margins are always the same in number.
 using Measure = std::function<Measured(const std::vector<double>&)>;
 
 struct SearchOptions {
   /// Empty: global DIRECT-L over the box, then local searches from the best point, from the start and from
-  /// scattered points; by BOBYQA (Sbplx for one variable), with constraints by COBYLA and SLSQP. Else the
-  /// name of an NLopt algorithm, such as "GN_CRS2_LM" or "LD_MMA".
+  /// scattered points: by SLSQP where there are `slopes`, at last (and without slopes always) by BOBYQA
+  /// (Sbplx for one variable), with constraints by COBYLA and SLSQP. Else the name of an NLopt algorithm,
+  /// such as "GN_CRS2_LM" or "LD_MMA".
   std::string algorithm;
   std::string local_algorithm;  ///< finishes after `algorithm`; inner searches of MLSL and AUGLAG
   int max_evaluations = 4000;
@@ -43,6 +53,7 @@ struct SearchOptions {
   bool global = true;                ///< false: local search from the start alone
   bool differences = true;           ///< false: the default finishes without SLSQP (noisy or dear measures)
   std::uint64_t seed = 1;
+  Slopes slopes = {};  ///< exact gradients; where there are none, central differences
 };
 
 struct SearchResult {
@@ -55,9 +66,10 @@ struct SearchResult {
 [[nodiscard]] bool better(const SearchResult& a, const SearchResult& b);
 
 /// Minimises over the box from `start` (brought into the box). Deterministic: the same arguments give the
-/// same evaluations. Gradients that an algorithm asks for are central differences over 1e-6 of the bounds,
-/// counted as evaluations. Algorithms that know no constraints get an exact penalty. What `measure` throws
-/// comes out unchanged. Throws std::invalid_argument for an unknown algorithm, naming it.
+/// same evaluations. Gradients that an algorithm asks for are the `slopes` of the options, else central
+/// differences over 1e-6 of the bounds, counted as evaluations. Algorithms that know no constraints get an
+/// exact penalty. What `measure` throws comes out unchanged. Throws std::invalid_argument for an unknown
+/// algorithm, naming it.
 [[nodiscard]] SearchResult minimize(const Measure& measure, const std::vector<Bounds>& bounds,
                                     const std::vector<double>& start, const SearchOptions& options);
 

@@ -32,7 +32,8 @@ class Run {
   Run(Problem& problem, Ledger& ledger, const StudyTools& tools)
       : problem_(problem), study_(problem.study()), ledger_(ledger), tools_(tools) {
     seed_ = problem.typed_scenario_at(start()).simulation.seed.value;
-    for (const ObjectiveSpec& o : study_.objectives) column_of(o.kpi);
+    for (const ObjectiveSpec& o : study_.objectives)
+      if (!o.kpi.empty()) column_of(o.kpi);
     for (const Condition& c : problem.conditions())
       if (c.kind == Condition::Kind::kpi) column_of(c.item);
     if (study_.robust.samples > 0) make_samples();
@@ -116,6 +117,38 @@ class Run {
     return all;
   }
 
+  // Gradients of the first objective and the margins in the long run; no trial: they belong to one.
+  std::optional<MeasuredSlopes> long_run_slopes(const std::vector<double>& x) {
+    if (samples_.empty()) return measured(problem_.slopes(x));
+    const bool worst = study_.robust.measure == RobustMeasure::worst;
+    const auto share = static_cast<double>(samples_.size());
+    MeasuredSlopes all;
+    Problem::Outcome least;
+    for (std::size_t s = 0; s < samples_.size(); ++s) {
+      const auto one = measured(samples_[s]->slopes(x));
+      if (!one) return std::nullopt;
+      const Problem::Outcome outcome = samples_[s]->evaluate(x);
+      if (s == 0) {
+        all = *one;
+        least = outcome;
+        if (!worst)
+          for (double& slope : all.value) slope /= share;
+        continue;
+      }
+      if (worst && outcome.objectives[0] > least.objectives[0]) {
+        all.value = one->value;
+        least.objectives[0] = outcome.objectives[0];
+      }
+      for (std::size_t k = 0; !worst && k < x.size(); ++k) all.value[k] += one->value[k] / share;
+      for (std::size_t c = 0; c < outcome.margins.size(); ++c)
+        if (outcome.margins[c] < least.margins[c]) {
+          all.margins[c] = one->margins[c];
+          least.margins[c] = outcome.margins[c];
+        }
+    }
+    return all;
+  }
+
   // Objectives and margins of a point in the long run: a trial.
   ManyMeasured analytic(const std::vector<double>& x) {
     const std::size_t objectives = study_.objectives.size();
@@ -156,12 +189,14 @@ class Run {
     }
     std::vector<std::vector<double>> starts{start()};
     if (covered()) {
+      SearchOptions exact = search;
+      exact.slopes = [this](const std::vector<double>& x) { return long_run_slopes(x); };
       const SearchResult found = minimize_mixed(
           [&](const std::vector<double>& x) {
             const ManyMeasured m = analytic(x);
             return Measured{m.objectives[0], m.margins};
           },
-          problem_.dimensions(), start(), search);
+          problem_.dimensions(), start(), exact);
       answer_.analytic =
           Candidate{found.x, shown_value(study_.objective, found.measured.value), found.feasible, "analytic"};
       starts.insert(starts.begin(), found.x);
@@ -295,6 +330,8 @@ class Run {
       corrections[settings_of(x)] = c;
       SearchOptions search = search_options(study_, seed_);
       search.max_evaluations = std::max(200, search.max_evaluations / 4);
+      // A correction is constant as long as the discrete settings stay.
+      search.slopes = [this](const std::vector<double>& at) { return long_run_slopes(at); };
       std::vector<double> next = minimize_mixed(corrected, problem_.dimensions(), x, search).x;
       const bool same = std::any_of(proposed.begin(), proposed.end(), [&](const SearchResult& p) {
         bool close = settings_of(p.x) == settings_of(next);
@@ -534,10 +571,19 @@ void check_study(const Problem& problem) {
           at, fmt::format("{} = \"{}\", there is no such KPI in a run of the scenario; closest: \"{}\"", at,
                           kpi.substr(0, 100), models::closest(kpi, names)));
   };
-  check(study.objective.kpi, "/objective/kpi");
   const bool simulates = study.simulation.trials > 0 || study.front.replications > 0;
-  for (std::size_t k = 1; k < study.objectives.size(); ++k)
-    if (simulates) check(study.objectives[k].kpi, fmt::format("/objectives/{}/kpi", k));
+  for (std::size_t k = 0; k < study.objectives.size(); ++k) {
+    const ObjectiveSpec& o = study.objectives[k];
+    if (!o.function.empty() && simulates)
+      throw InputError(
+          study.simulation.trials > 0 ? "/simulation/trials" : "/front/replications",
+          fmt::format("{}: the objective is an output of {}, which no simulation knows; leave it out",
+                      study.simulation.trials > 0 ? "/simulation/trials" : "/front/replications",
+                      o.function));
+    // The first is what the confirmation simulates.
+    if (o.function.empty() && (k == 0 || simulates))
+      check(o.kpi, study.objectives.size() > 1 ? fmt::format("/objectives/{}/kpi", k) : "/objective/kpi");
+  }
   for (const Condition& c : problem.conditions())
     if (c.kind == Condition::Kind::kpi && (study.simulation.trials > 0 || !c.long_run_kpi))
       check(c.item, "/constraints/kpi");

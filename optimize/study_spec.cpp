@@ -75,7 +75,10 @@ struct StructFields<Variable> {
 template <>
 struct StructFields<ObjectiveSpec> {
   static std::vector<Field> fields() {
-    return {need(&ObjectiveSpec::kpi, "kpi", "-", no_range(), "KPI to improve"),
+    return {may(&ObjectiveSpec::kpi, "kpi", "-", no_range(), "KPI to improve, or"),
+            may(&ObjectiveSpec::function, "function", "-", no_range(), "catalogue function to improve"),
+            may(&ObjectiveSpec::output, "output", "-", no_range(), "output of the function"),
+            may(&ObjectiveSpec::inputs, "inputs", "-", no_range(), "inputs of the function"),
             may(&ObjectiveSpec::direction, "direction", "-", no_range(), "which way is better")};
   }
 };
@@ -279,7 +282,15 @@ StudySpec load_study(const json& study) {
   }
   if (study.contains("objective") && study.contains("objectives"))
     fail("/objectives", ": a study has either objective or objectives");
+  if (!study.contains("objective")) spec.objective.kpi = "cost_per_part";
   if (spec.objectives.empty()) spec.objectives.push_back(spec.objective);
+  for (std::size_t k = 0; k < spec.objectives.size(); ++k) {
+    const ObjectiveSpec& o = spec.objectives[k];
+    const std::string at = study.contains("objectives") ? fmt::format("/objectives/{}", k) : "/objective";
+    if (o.kpi.empty() == o.function.empty()) fail(at, ": must have exactly one of kpi and function");
+    if (o.function.empty() != o.output.empty())
+      fail(at + "/output", ": goes with function, and only with it");
+  }
   spec.objective = spec.objectives.front();
   for (const auto& [member, name] : {std::pair{"algorithm", spec.search.algorithm},
                                      std::pair{"local_algorithm", spec.search.local_algorithm}})

@@ -27,9 +27,16 @@ struct Variable {
 
 enum class Direction { minimize, maximize };
 
+/// A KPI, or an output of a catalogue function (then only computed, never simulated).
 struct ObjectiveSpec {
-  std::string kpi = "cost_per_part";
+  std::string kpi;
+  std::string function;  ///< key, "K117.part_cost_at_gamma"
+  std::string output;    ///< of the function
+  models::Value inputs;  ///< of the function: values, or {"pointer": ...} into the scenario
   Direction direction = Direction::minimize;
+
+  /// What it is called: the KPI, or "part_cost of K117.part_cost_at_gamma".
+  [[nodiscard]] std::string label() const { return kpi.empty() ? output + " of " + function : kpi; }
 };
 
 /// What must hold: of a KPI, of the plan of an operation, or of a function of the catalogue. Which one is

@@ -27,6 +27,8 @@ std::vector<models::SourceUse> source_uses(const std::filesystem::path& points) 
     };
     if (lists(operations::spindle_sources)) use.kinds.emplace_back("spindle of a machine");
     if (lists(operations::safety_clutch_sources)) use.kinds.emplace_back("safety clutch of a machine");
+    if (id == "K409") use.kinds.emplace_back("wages of a crew");
+    if (id == "K205") use.kinds.emplace_back("criteria of a shop");
     uses.push_back(std::move(use));
   }
   return uses;

@@ -44,6 +44,17 @@ void check_tool_use(const Scenario& s, const Tool& tool, const std::string& at);
 /// The tools that its operations need have room in the magazine of the machine.
 void check_magazine(const Scenario& s, const Machine& machine, const std::string& at);
 void check_operation(const Scenario& s, const Operation& operation, const std::string& at);
+/// Operations that hand the state of parts on exist, and no state goes round in a circle.
+void check_sources(const Scenario& s);
+/// What the operation receives is left by the one that it names and fits the member that it becomes.
+/// Operations before it have been checked.
+void check_incoming(const Scenario& s, const Operation& operation, const std::string& at);
+/// Parts have been where their state comes from.
+void check_received_on_route(const Scenario& s, const PartType& part, const std::string& at);
+/// What the drawing asks is decided on every way through the route.
+void check_requirements(const Scenario& s, const PartType& part, const std::string& at);
+/// Who does it, and with which tool.
+void check_operation_names(const Scenario& s, const Operation& operation, const std::string& at);
 void check_part(const Scenario& s, const PartType& part, const std::string& at);
 void check_route(const Scenario& s, const PartType& part, const std::string& at);
 void check_store(const Scenario& s, const Store& store, const std::string& at);
@@ -52,6 +63,8 @@ void check_machine(const Scenario& s, const Machine& machine, const std::string&
 void check_crew(const Scenario& s, const Crew& crew, const std::string& at);
 void check_calendar(const Calendar& calendar, const std::string& at);
 void check_spare(const Spare& spare, const std::string& at);
+/// Best and worst values come in pairs that differ, and a mission fits into the counted time.
+void check_criteria(const Scenario& s, const std::string& at);
 /// Vehicles find a way between all places that they serve.
 void check_layout(const Scenario& s);
 /// Refuses a shop that no computer holds: limits on sums and products of what single members allow.

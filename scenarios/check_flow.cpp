@@ -67,9 +67,13 @@ bool is_place(const Scenario& s, const std::string& name) {
 
 }  // namespace
 
-void check_operation(const Scenario& s, const Operation& operation, const std::string& at) {
+void check_operation_names(const Scenario& s, const Operation& operation, const std::string& at) {
   check_groups(s, operation, at);
   if (!operation.tool.empty()) check_reference(s.tools, operation.tool, at + "/tool", "tool");
+}
+
+void check_operation(const Scenario& s, const Operation& operation, const std::string& at) {
+  check_incoming(s, operation, at);
   if (const auto* plain = operation.process.as<operations::PlainOperation>())
     check_law(plain->time, at + "/process/time");
   for (const std::size_t g : groups_of(s, operation)) {
@@ -88,6 +92,8 @@ void check_operation(const Scenario& s, const Operation& operation, const std::s
 
 void check_part(const Scenario& s, const PartType& part, const std::string& at) {
   check_route(s, part, at);
+  check_received_on_route(s, part, at);
+  check_requirements(s, part, at);
   check_reference(s.stores, part.store, at + "/store", "store");
   check_supply(part, at + "/supply");
   if (part.due_after) check_law(*part.due_after, at + "/due_after");

@@ -30,6 +30,14 @@ struct Inspection {
   std::optional<std::int64_t> acceptance_number;
 };
 
+/// A number of the process that an operation before it decides: the state in which the part arrives.
+struct Incoming {
+  std::string from;      ///< name of an operation that the part has been through
+  std::string quantity;  ///< that it leaves with the part: "ra_um"
+  std::string input;     ///< member of this operation's process that it becomes: "ra_before_um"
+  double factor = 1;     ///< multiplies it on the way
+};
+
 /// Which of several machine groups does it.
 enum class Choice {
   shortest_queue,  ///< fewest batches waiting and in work per machine
@@ -45,6 +53,7 @@ struct Operation {
   std::string tool;    ///< empty: no tool that wears
   std::string family;  ///< for setting up; empty: the operation's name
   operations::Process process;
+  std::vector<Incoming> incoming;
   std::optional<Quality> quality;
   std::optional<Inspection> inspection;
   double cost = 0;  ///< money per part besides machine and people (gauges, laboratory)
@@ -120,6 +129,15 @@ struct Step {
   std::int64_t rework_limit = 1;     ///< times a part may be sent to rework
 };
 
+/// What the drawing asks of the finished part. A part that falls short has a defect that nobody sees before
+/// an inspection.
+struct Requirement {
+  std::string quantity;  ///< left by an operation of the route: "ra_um"
+  std::optional<double> at_least;
+  std::optional<double> at_most;
+  double sd = 0;  ///< scatter from part to part, besides that which the operation itself states
+};
+
 struct PartType {
   std::string name;
   Supply supply;
@@ -133,6 +151,8 @@ struct PartType {
   std::optional<Duration> due_after;  ///< allowance from arrival to due date
   double escape_cost = 0;             ///< money when a defective part leaves the shop unseen
   double tardiness_cost_per_min = 0;  ///< money per part and minute after the due date
+  std::vector<Requirement> requirements;
+  double price = 0;  ///< what a good part brings; used by the criteria of efficiency
 };
 
 struct Store {

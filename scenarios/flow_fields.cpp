@@ -34,6 +34,23 @@ std::vector<Field> StructFields<Inspection>::fields() {
       may<I>(&I::acceptance_number, "acceptance_number", "parts", closed(0, 1'000'000),
              "more rejects than this in a batch reject the whole batch; null: parts are judged one by one")};
 }
+std::vector<Field> StructFields<Incoming>::fields() {
+  using I = Incoming;
+  return {need<I>(&I::from, "from", "-", no_range(), "name of an operation earlier on every route"),
+          need<I>(&I::quantity, "quantity", "-", no_range(), "quantity that it leaves with the part"),
+          need<I>(&I::input, "input", "-", no_range(),
+                  "member of this operation's process that becomes it, for instance \"ra_before_um\""),
+          may<I>(&I::factor, "factor", "1", closed(-1e9, 1e9), "multiplies it on the way")};
+}
+std::vector<Field> StructFields<Requirement>::fields() {
+  using R = Requirement;
+  return {need<R>(&R::quantity, "quantity", "-", no_range(),
+                  "quantity that an operation of the route leaves with the part"),
+          may<R>(&R::at_least, "at_least", "1", any(), "in the unit of the quantity; null: no lower bound"),
+          may<R>(&R::at_most, "at_most", "1", any(), "in the unit of the quantity; null: no upper bound"),
+          may<R>(&R::sd, "sd", "1", closed(0, 1e12),
+                 "scatter from part to part, besides that which the operation states")};
+}
 std::vector<Field> StructFields<Operation>::fields() {
   using O = Operation;
   return {
@@ -48,6 +65,9 @@ std::vector<Field> StructFields<Operation>::fields() {
       may<O>(&O::tool, "tool", "-", no_range(), "name of the tool; empty: nothing that wears"),
       may<O>(&O::family, "family", "-", no_range(), "family for setting up; empty: the operation's name"),
       need<O>(&O::process, "process", "-", no_range(), "what is done: a process model or a plain duration"),
+      entries(may<O>(&O::incoming, "incoming", "-", no_range(),
+                     "members of the process that follow from the state in which the part arrives"),
+              0, 100),
       may<O>(&O::quality, "quality", "-", no_range(), "what goes wrong besides tool failures"),
       may<O>(&O::inspection, "inspection", "-", no_range(), "makes the operation an inspection"),
       may<O>(&O::cost, "cost", "money", money, "per part besides machine and people")};
@@ -140,7 +160,11 @@ std::vector<Field> StructFields<PartType>::fields() {
       may<P>(&P::due_after, "due_after", "min", no_range(), "allowance from arrival to due date; null: none"),
       may<P>(&P::escape_cost, "escape_cost", "money", money, "when a defective part leaves the shop"),
       may<P>(&P::tardiness_cost_per_min, "tardiness_cost_per_min", "money/min", money,
-             "per part and minute after the due date")};
+             "per part and minute after the due date"),
+      entries(may<P>(&P::requirements, "requirements", "-", no_range(),
+                     "what the drawing asks of the finished part; one that falls short is defective"),
+              0, 100),
+      may<P>(&P::price, "price", "money", money, "what a good part brings: for the criteria of efficiency")};
 }
 std::vector<Field> StructFields<scenarios::Store>::fields() {
   using S = scenarios::Store;

@@ -25,6 +25,8 @@ struct EnumNames<scenarios::BranchChoice> {
   }
 VERSTAT_DESCRIBED(Quality);
 VERSTAT_DESCRIBED(Inspection);
+VERSTAT_DESCRIBED(Incoming);
+VERSTAT_DESCRIBED(Requirement);
 VERSTAT_DESCRIBED(Operation);
 VERSTAT_DESCRIBED(AlwaysAvailable);
 VERSTAT_DESCRIBED(Interarrival);

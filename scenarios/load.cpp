@@ -7,6 +7,7 @@
 #include "models/catalogue/closest.h"
 #include "models/maintenance/k409_repair_service.h"
 #include "scenarios/check.h"
+#include "scenarios/incoming.h"
 #include "scenarios/model_json.h"
 
 namespace verstat::scenarios {
@@ -44,6 +45,12 @@ void follow_each_tooth(operations::CutPlan& plan) {
 }  // namespace
 
 operations::CutPlan plan(const Scenario& scenario, const Operation& operation, const Machine& machine) {
+  PlansBefore before;
+  return plan(scenario, operation, machine, before);
+}
+
+operations::CutPlan plan(const Scenario& scenario, const Operation& operation, const Machine& machine,
+                         PlansBefore& before) {
   operations::PlanContext context{.machine = &machine.limits,
                                   .spindle = machine.spindle ? &*machine.spindle : nullptr};
   const Tool* tool = operation.tool.empty() ? nullptr : find_named(scenario.tools, operation.tool);
@@ -57,7 +64,8 @@ operations::CutPlan plan(const Scenario& scenario, const Operation& operation, c
       context.edge = &insert.edge_life;
     }
   }
-  operations::CutPlan plan = operation.process.plan(context);
+  operations::CutPlan plan = operation.incoming.empty() ? operation.process.plan(context)
+                                                        : received(scenario, operation, before).plan(context);
   if (tool != nullptr && tool->teeth > 1) follow_each_tooth(plan);
   return plan;
 }
@@ -188,7 +196,14 @@ void check_whole(const Scenario& s) {
   check_each(s.crews, "/crews", [&](const Crew& x, Text at) { check_crew(s, x, at); });
   check_each(s.spares, "/spares", check_spare);
   check_each(s.machines, "/machines", [&](const Machine& x, Text at) { check_machine(s, x, at); });
-  check_each(s.operations, "/operations", [&](const Operation& x, Text at) { check_operation(s, x, at); });
+  check_each(s.operations, "/operations",
+             [&](const Operation& x, Text at) { check_operation_names(s, x, at); });
+  check_sources(s);
+  // Those that receive nothing first: the others are planned from their plans.
+  for (const bool receives : {false, true})
+    check_each(s.operations, "/operations", [&](const Operation& x, Text at) {
+      if (receives == !x.incoming.empty()) check_operation(s, x, at);
+    });
   check_each(s.tools, "/tools", [&](const Tool& x, Text at) { check_tool_use(s, x, at); });
   check_each(s.machines, "/machines", [&](const Machine& x, Text at) { check_magazine(s, x, at); });
   check_each(s.parts, "/parts", [&](const PartType& x, Text at) { check_part(s, x, at); });
@@ -198,6 +213,7 @@ void check_whole(const Scenario& s) {
   if (run.warmup_min >= run.horizon_min)
     fail("/simulation/warmup_min", fmt::format("{}", run.warmup_min),
          fmt::format("must be below horizon_min = {}: nothing would be counted", run.horizon_min));
+  if (s.criteria) check_criteria(s, "/criteria");
   std::vector<bool> busy(s.machines.size(), false);
   for (const Operation& operation : s.operations)
     for (const std::size_t g : groups_of(s, operation)) busy[g] = true;

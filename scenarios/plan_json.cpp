@@ -90,6 +90,17 @@ ordered_json to_json(const CutPlan& plan, bool explain) {
                       {"specificity", plan.detection->specificity}};
     if (explain) j["detection"]["origin"] = plan.detection->origin;
   }
+  if (plan.gauge) {
+    j["gauge_wear"] = {{"wear_per_check", plan.gauge->wear_per_check},
+                       {"start", plan.gauge->start},
+                       {"replace_at", plan.gauge->replace_at},
+                       {"replace_min", plan.gauge->replace_min},
+                       {"price", plan.gauge->price},
+                       {"worn", plan.gauge->worn},
+                       {"sensitivity", plan.gauge->sensitivity},
+                       {"specificity", plan.gauge->specificity}};
+    if (explain) j["gauge_wear"]["origin"] = plan.gauge->origin;
+  }
   if (plan.lot) {
     const auto law = models::detail::Binding<models::LifeLawKind>::write(plan.lot->law);
     j["prepared_lot"] = {{"law", to_json(law)},
@@ -110,6 +121,12 @@ ordered_json to_json(const CutPlan& plan, bool explain) {
                      {"self_reset", plan.overload->self_reset}};
     if (explain) j["overload"]["origin"] = plan.overload->origin;
   }
+  j["leaves"] = ordered_json::array();
+  for (const auto& state : plan.leaves)
+    j["leaves"].push_back({{"quantity", state.quantity},
+                           {"value", plan.value_of(state.quantity).value_or(0)},
+                           {"sd", state.sd},
+                           {"unit", plan.unit_of(state.quantity)}});
   j["consumables"] = ordered_json::array();
   for (const Quantity& q : plan.consumables) j["consumables"].push_back(quantity_json(q, explain));
   return j;

@@ -13,6 +13,7 @@
 
 #include "models/catalogue/field.h"
 #include "operations/kind.h"
+#include "scenarios/criteria.h"
 #include "scenarios/flow.h"
 #include "scenarios/machines.h"
 #include "scenarios/people.h"
@@ -62,6 +63,7 @@ struct Scenario {
   std::vector<Transport> transport;
   std::vector<LayoutEdge> layout;
   double energy_price_per_kwh = 0;
+  std::optional<CriteriaSettings> criteria;
 };
 
 /// The plan of an operation on a machine, with the tool that the scenario gives it.

@@ -87,7 +87,9 @@ struct StructFields<Scenario> {
             entries(may<Scenario>(&Scenario::layout, "layout", "-", no_range(), "ways between places"), 0,
                     100'000),
             may<Scenario>(&Scenario::energy_price_per_kwh, "energy_price_per_kwh", "money/kWh",
-                          closed(0, 1e6), "price of energy")};
+                          closed(0, 1e6), "price of energy"),
+            may<Scenario>(&Scenario::criteria, "criteria", "-", no_range(),
+                          "adds the criteria of efficiency of K205 to the results")};
   }
 };
 

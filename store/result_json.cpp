@@ -1,14 +1,16 @@
 #include "store/result_json.h"
 
+#include <cmath>
+
 namespace verstat::store {
 
 using nlohmann::ordered_json;
 
-namespace {
-
 ordered_json number_or_null(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
+  return value && std::isfinite(*value) ? ordered_json(*value) : ordered_json(nullptr);
 }
+
+namespace {
 
 ordered_json provenance(const Provenance& p) {
   return {{"version", p.version}, {"platform", p.platform}, {"created", p.created}};

@@ -61,7 +61,8 @@ void table() {
   const std::vector<std::vector<double>> starts{{0.05, 20}, {0.9, 110}, {0.64, 60}, {0.3, 100}, {0.98, 30}};
   constexpr int budget = 4000;
   std::printf(
-      "evaluations to 0.1 %% of the optimum: median over 5 starts, and how many of them got there in %d\n",
+      "evaluations to 0.1 %% of the optimum: median over 5 starts, and how many of them got there in %d;\n"
+      "with differences, and with exact gradients (each of which comes with an evaluation)\n",
       budget);
   std::vector<std::optional<int>> random;
   for (std::uint64_t seed = 0; seed < 5; ++seed) {
@@ -71,18 +72,29 @@ void table() {
       (void)counter({stream.uniform(box[0].low, box[0].high), stream.uniform(box[1].low, box[1].high)});
     random.push_back(counter.reached());
   }
-  fmt::print("{:<24} {}\n", "random search", shown(random));
+  fmt::print("{:<28}    {}\n", "random search", shown(random));
   std::vector<std::string> names = algorithms();
   names.insert(names.begin(), "");
   for (const std::string& name : names) {
-    std::vector<std::optional<int>> counts;
-    for (const auto& start : starts) {
-      Counter counter(problem);
-      (void)minimize([&](const std::vector<double>& x) { return counter(x); }, box, start,
-                     {.algorithm = name, .max_evaluations = budget});
-      counts.push_back(counter.reached());
+    std::string line;
+    // Only algorithms that ask for gradients notice that there are some.
+    bool asks = false;
+    for (const bool exact : {false, true}) {
+      std::vector<std::optional<int>> counts;
+      for (const auto& start : starts) {
+        Counter counter(problem);
+        SearchOptions options{.algorithm = name, .max_evaluations = budget};
+        if (exact)
+          options.slopes = [&](const std::vector<double>& x) {
+            asks = true;
+            return measured(problem.slopes(x));
+          };
+        (void)minimize([&](const std::vector<double>& x) { return counter(x); }, box, start, options);
+        counts.push_back(counter.reached());
+      }
+      if (!exact || asks) line += "   " + shown(counts);
     }
-    fmt::print("{:<24} {}\n", name.empty() ? "(the default)" : name, shown(counts));
+    fmt::print("{:<28} {}\n", name.empty() ? "(the default)" : name, line);
   }
 }
 
@@ -98,6 +110,16 @@ void long_run_evaluation(benchmark::State& state) {
     state.SkipWithError("wrong answer");
 }
 BENCHMARK(long_run_evaluation);
+
+void long_run_gradient(benchmark::State& state) {
+  const StudySpec study = load_study(gallery("heavy-lathe.study.json"));
+  Problem problem(study, gallery("heavy-lathe.json"));
+  for (auto _ : state) benchmark::DoNotOptimize(problem.slopes({0.47, 46.97}));
+  const auto slopes = problem.slopes({0.4703, 46.97});
+  if (!slopes || std::abs(slopes->objectives[0][0]) > 0.1 || std::abs(slopes->objectives[0][1]) > 0.01)
+    state.SkipWithError("wrong answer");
+}
+BENCHMARK(long_run_gradient);
 
 // The promise: under 5 ms.
 void joint_optimum_of_one_operation(benchmark::State& state) {

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "models/catalogue/formulas.h"
+
 namespace verstat::models {
 
 namespace {
@@ -17,6 +19,16 @@ std::string cell(std::string_view text) {
   for (const char c : text) {
     if (c == '|') out += '\\';
     out += c == '\n' ? ' ' : c;
+  }
+  return out;
+}
+
+/// A formula as plain text: Markdown would read its stars and brackets as markup.
+std::string text(std::string_view formula) {
+  std::string out;
+  for (const char c : formula) {
+    if (c == '*' || c == '<' || c == '[' || c == '\\') out += '\\';
+    out += c;
   }
   return out;
 }
@@ -59,6 +71,7 @@ void fields_table(std::string& out, const std::vector<Field>& fields, bool input
 
 void function_section(std::string& out, const Function& f) {
   out += fmt::format("### {}\n\n{}  \n*{}: {}*\n\n", f.name, f.summary, to_string(f.provenance), f.equation);
+  if (const auto formula = formula_of(f.key); !formula.empty()) out += fmt::format("{}\n\n", text(formula));
   if (!f.inputs.empty()) fields_table(out, f.inputs, true);
   fields_table(out, f.outputs, false);
   for (const std::string& note : f.notes) out += fmt::format("- {}\n", note);

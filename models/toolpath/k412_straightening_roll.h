@@ -125,6 +125,7 @@ struct RollContour : Contour {
 struct Length {
   double length_mm;
 };
+/// Length of a contour, the sum of its lines and arcs.
 [[nodiscard]] Length path_length(const Contour& in);
 
 struct OffsetInput : Contour {

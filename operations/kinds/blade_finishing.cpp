@@ -56,6 +56,7 @@ void endurance(const BladeFinishing& spec, const k312::FinishState& state, CutPl
   auto& q = p.quantities;
   q.push_back({"endurance_limit_mpa", mean_mpa, "MPa", "K312.finish_state", "mean endurance limit"});
   q.push_back({"endurance_limit_sd_mpa", sd_mpa, "MPa", "K312.finish_state", "its scatter"});
+  p.leave("endurance_limit_mpa", sd_mpa);
   const auto polished = k312::finish_state({Finish::polishing});
   q.push_back({"endurance_factor", mean_mpa / *polished.sigma_1_mpa, "1", "K312.finish_state",
                "endurance limit over that of polishing alone"});
@@ -75,6 +76,7 @@ void endurance(const BladeFinishing& spec, const k312::FinishState& state, CutPl
                              {*spec.working_stress_mpa, spec.working_stress_sd_mpa, mean_mpa, sd_mpa})
                              .p;
   q.push_back({"failure_probability", failing, "1", origin, "that a blade fails in service"});
+  p.leave("failure_probability");
   if (spec.failure_probability_max)
     p.limits.push_back({"failure_probability", failing, *spec.failure_probability_max, true, "1", origin});
 }
@@ -101,6 +103,8 @@ CutPlan plan(const BladeFinishing& spec, const PlanContext&) {
   auto& q = p.quantities;
   q.push_back({"ra_um", state.ra_um, "um", "K312.finish_state", "roughness Ra"});
   q.push_back({"microhardness_mpa", state.microhardness_mpa, "MPa", "K312.finish_state", "of the surface"});
+  p.leave("ra_um");
+  p.leave("microhardness_mpa", state.microhardness_sd_mpa);
   q.push_back({"hardening_percent", state.hardening_pct, "%", "K312.finish_state", "degree of hardening"});
   p.limits.push_back({"ra_um", state.ra_um, spec.ra_max_um, true, "um", "K312.roughness_ok"});
   endurance(spec, state, p);

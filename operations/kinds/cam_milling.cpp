@@ -158,6 +158,7 @@ CutPlan plan(const CamMilling& spec, const PlanContext& context) {
                             "largest feed of the cutter's axes"});
   p.quantities.push_back(
       {"ra_um", roughness.ra_um, "um", "S1.axial_roughness", "roughness along the axis at the nose"});
+  p.leave("ra_um");
   p.quantities.push_back({"feed_per_tooth_mm", roundness.feed_per_tooth_mm, "mm", "S1.roundness_deviation",
                           "feed per tooth at the peak of the contour feed"});
   p.quantities.push_back({"roundness_um", roundness.roundness_deviation_um, "um", "S1.roundness_deviation",

@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "models/grinding/k118_elastic_grinding_clamp_force.h"
+#include "models/grinding/k207_longitudinal_feed_controller.h"
 #include "models/grinding/k302_combined_grinding_roughness.h"
 #include "models/grinding/k303_cutting_surface_height.h"
 #include "operations/fields.h"
@@ -23,6 +24,18 @@ struct StructFields<operations::ElectrochemicalAid> {
             may<S>(&S::efficiency, "efficiency", "1", open_low(0, 1), "share of the current that dissolves"),
             may<S>(&S::volume_equivalent_mm3_a_min, "volume_equivalent_mm3_a_min", "mm3/(A min)",
                    open_low(0, 100), "dissolved volume per charge; iron 2.21")};
+  }
+};
+
+template <>
+struct StructFields<operations::FeedController> {
+  static std::vector<Field> fields() {
+    using S = operations::FeedController;
+    return {need<S>(&S::feed_from_m_min, "feed_from_m_min", "m/min", open_low(0, 1e3),
+                    "feed of the passes before this operation"),
+            may<S>(&S::plant_gain, "plant_gain", "1", open_low(0, 100), "gain of the drive"),
+            may<S>(&S::plant_pole, "plant_pole", "1", open(0, 1), "pole of the drive, per pass"),
+            may<S>(&S::delay, "delay", "1", closed(1, 20), "dead time in passes")};
   }
 };
 
@@ -54,6 +67,8 @@ struct StructFields<operations::CylindricalGrinding> {
         may<S>(&S::traverse_feed_mm_rev, "traverse_feed_mm_rev", "mm/rev", closed(1e-3, 1e3),
                "feed along the part; without it the wheel plunges and a pass is one revolution"),
         may<S>(&S::overrun_mm, "overrun_mm", "mm", closed(0, 1e3), "travel beyond the length, traverse only"),
+        may<S>(&S::feed_controller, "feed_controller", "-", no_range(),
+               "controller of the traverse feed; absent: the feed is there at once"),
         may<S>(&S::up_grinding, "up_grinding", "-", no_range(),
                "wheel and part run against each other in the contact"),
         need<S>(&S::specific_energy_j_mm3, "specific_energy_j_mm3", "J/mm3", closed(0.1, 1000),
@@ -156,8 +171,45 @@ void check(const CylindricalGrinding& s) {
   models::require(!s.traverse_feed_mm_rev || *s.traverse_feed_mm_rev <= s.wheel_width_mm,
                   "traverse_feed_mm_rev", s.traverse_feed_mm_rev.value_or(0),
                   "must not be above wheel_width_mm");
+  models::require(!s.feed_controller || s.traverse_feed_mm_rev, "feed_controller/feed_from_m_min",
+                  s.feed_controller ? s.feed_controller->feed_from_m_min : 0,
+                  "needs traverse_feed_mm_rev: a plunging wheel does not traverse");
   models::require(s.allowance_um < 500 * s.diameter_mm, "allowance_um", s.allowance_um,
                   "must be below the radius of the part");
+}
+
+/// Time of the passes while the traverse feed follows its controller (K207), with what the change of feed
+/// does on the way.
+double controlled_time_min(const CylindricalGrinding& s, double part_speed_rpm, double passes, CutPlan& p) {
+  const FeedController& controller = *s.feed_controller;
+  models::k207::FeedChange change;
+  change.plant_gain = controller.plant_gain;
+  change.plant_pole = controller.plant_pole;
+  change.delay = controller.delay;
+  change.length_mm = s.length_mm + s.overrun_mm;
+  change.feed_from_m_min = controller.feed_from_m_min;
+  change.feed_to_m_min = *s.traverse_feed_mm_rev * part_speed_rpm / 1000;
+  change.n_passes = static_cast<std::int64_t>(passes);
+  models::k207::StepInputs step;
+  static_cast<models::k207::FeedLoop&>(step) = change;
+  step.n_samples = change.n_passes;
+  const auto response = models::k207::feed_channel_step_response(step);
+  const double radius = models::k207::feed_loop_spectral_radius(change).rho;
+  const double rise_m_min = change.feed_to_m_min - change.feed_from_m_min;
+  const double peak_m_min = rise_m_min > 0 ? change.feed_to_m_min + rise_m_min * response.overshoot_pct / 100
+                                           : std::max(change.feed_from_m_min, change.feed_to_m_min);
+  const double peak_mm_rev = 1000 * peak_m_min / part_speed_rpm;
+  constexpr const char* origin = "K207.feed_channel_step_response";
+  p.quantities.push_back({"feed_loop_radius", radius, "1", "K207.feed_loop_spectral_radius",
+                          "below 1 the controller is stable"});
+  p.quantities.push_back({"feed_settle_passes", static_cast<double>(response.settle_samples), "1", origin,
+                          "passes until the feed stays within 2 % of the change"});
+  p.quantities.push_back(
+      {"peak_traverse_feed_mm_rev", peak_mm_rev, "mm/rev", origin, "largest feed on the way"});
+  p.limits.push_back({"feed_loop_radius", radius, 1, true, "1", "K207.feed_loop_spectral_radius"});
+  p.limits.push_back({"peak_traverse_feed_mm_rev", peak_mm_rev, s.wheel_width_mm, true, "mm/rev",
+                      "K207: every turn must stay under the wheel"});
+  return models::k207::feed_change_time(change).time_min;
 }
 
 }  // namespace
@@ -177,8 +229,11 @@ CutPlan plan(const CylindricalGrinding& s, const PlanContext& context) {
 
   CutPlan p;
   p.quantities.reserve(24);
-  p.set_main_time(passes * revolutions_per_pass / part_speed_rpm,
-                  "COMPLETION: passes times revolutions over part speed");
+  if (s.feed_controller)
+    p.set_main_time(controlled_time_min(s, part_speed_rpm, passes, p), "K207.feed_change_time");
+  else
+    p.set_main_time(passes * revolutions_per_pass / part_speed_rpm,
+                    "COMPLETION: passes times revolutions over part speed");
 
   // Heat-affected layer: roughing brings one, finishing removes it and brings its own (K302 eq. 17).
   const StageHeat rough = rough_passes > 0 ? stage_heat(s, s.rough_infeed_um, width_of_cut_mm) : StageHeat{};
@@ -273,6 +328,12 @@ CutPlan plan(const CylindricalGrinding& s, const PlanContext& context) {
     q.push_back({"roughness_rz_um", extremes.rz_um, "um", "K302.roughness_extremes", "Rz of the part"});
     q.push_back({"roughness_rmax_um", extremes.rmax_um, "um", "K302.roughness_extremes", "Rmax of the part"});
   }
+  p.leave("defect_depth_um");
+  p.leave("roughness_ra_um");
+  if (extremes.rz_um > 0) {
+    p.leave("roughness_rz_um");
+    p.leave("roughness_rmax_um");
+  }
   q.push_back({"sunk_depth_um", sunk_um, "um", "K302.layer_height_steady",
                "depth to which the wheel sinks into the surface, deepest stage"});
 
@@ -311,7 +372,7 @@ CutPlan plan(const CylindricalGrinding& s, const PlanContext& context) {
 namespace cylindrical_grinding {
 void add_to(Kinds& kinds) {
   kinds.add<CylindricalGrinding>("A shaft ground outside in roughing and finishing passes and spark-out.",
-                                 {"K302", "K303", "K118"});
+                                 {"K302", "K303", "K118", "K207"});
 }
 }  // namespace cylindrical_grinding
 

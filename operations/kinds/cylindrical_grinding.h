@@ -3,7 +3,7 @@
 // spark-out, along the part (traverse) or straight in (plunge: a pass is one revolution).
 //
 // Roughness and heat-affected layer from K302, temperature from the moving heat source of K118 with the
-// specific grinding energy (COMPLETION).
+// specific grinding energy (COMPLETION). How the traverse feed comes to its value: K207.
 
 #include <cstdint>
 
@@ -20,6 +20,14 @@ struct ElectrochemicalAid {
   double conductivity_s_m = 0;
   double efficiency = 1;
   double volume_equivalent_mm3_a_min = 2.21;
+};
+
+/// Digital controller that brings the traverse feed to its set value, K207: one sample is one pass.
+struct FeedController {
+  double feed_from_m_min = 0;  ///< of the passes before this operation
+  double plant_gain = 1;       ///< of the drive; falls as it wears
+  double plant_pole = 0.9091867638508087;
+  std::int64_t delay = 2;  ///< dead time, samples
 };
 
 struct CylindricalGrinding : GrainProtrusion {
@@ -41,6 +49,7 @@ struct CylindricalGrinding : GrainProtrusion {
   std::int64_t sparkout_passes = 0;
   std::optional<double> traverse_feed_mm_rev;  // absent: plunge
   double overrun_mm = 0;
+  std::optional<FeedController> feed_controller;  // traverse only; absent: the feed is there at once
   bool up_grinding = true;
   double specific_energy_j_mm3 = 0;
   double heat_fraction = 0.6;

@@ -24,25 +24,30 @@ template <>
 struct verstat::models::StructFields<verstat::operations::GaugeInspection> {
   static std::vector<Field> fields() {
     using S = operations::GaugeInspection;
-    return {need<S>(&S::gauge, "gauge", "-", no_range(), "what the gauges check"),
-            need<S>(&S::distance_mean_mm, "distance_mean_mm", "mm", open_low(0, 1e4), "mean of the process"),
-            need<S>(&S::distance_sigma_mm, "distance_sigma_mm", "mm", open_low(0, 100), "its scatter"),
-            need<S>(&S::d1_mean_mm, "d1_mean_mm", "mm", open_low(0, 1e4), "mean diameter of hole 1"),
-            need<S>(&S::d1_sigma_mm, "d1_sigma_mm", "mm", closed(0, 100), "its scatter"),
-            need<S>(&S::d2_mean_mm, "d2_mean_mm", "mm", open_low(0, 1e4), "mean diameter of hole 2"),
-            need<S>(&S::d2_sigma_mm, "d2_sigma_mm", "mm", closed(0, 100), "its scatter"),
-            need<S>(&S::check_min, "check_min", "min", closed(0, 1e4), "time of a check"),
-            may<S>(&S::wear_per_check_um, "wear_per_check_um", "um", closed(1e-6, 100),
-                   "wear of the gauge per check"),
-            may<S>(&S::replace_at_wear, "replace_at_wear", "1", closed(0.01, 3),
-                   "share of the wear allowance at which a gauge is replaced; above 1 beyond its limit"),
-            may<S>(&S::worn_now, "worn_now", "1", closed(0, 3),
-                   "share of the allowance worn off; not given: mean over the gauge's life"),
-            may<S>(&S::gauge_cost, "gauge_cost", "money", closed(0, 1e9), "price of the pair of gauges"),
-            may<S>(&S::consumer_risk_max, "consumer_risk_max", "1", probability(),
-                   "largest share of defective parts that may pass"),
-            may<S>(&S::producer_risk_max, "producer_risk_max", "1", probability(),
-                   "largest share of good parts that may be rejected")};
+    return {
+        need<S>(&S::gauge, "gauge", "-", no_range(), "what the gauges check"),
+        need<S>(&S::distance_mean_mm, "distance_mean_mm", "mm", open_low(0, 1e4), "mean of the process"),
+        need<S>(&S::distance_sigma_mm, "distance_sigma_mm", "mm", open_low(0, 100), "its scatter"),
+        need<S>(&S::d1_mean_mm, "d1_mean_mm", "mm", open_low(0, 1e4), "mean diameter of hole 1"),
+        need<S>(&S::d1_sigma_mm, "d1_sigma_mm", "mm", closed(0, 100), "its scatter"),
+        need<S>(&S::d2_mean_mm, "d2_mean_mm", "mm", open_low(0, 1e4), "mean diameter of hole 2"),
+        need<S>(&S::d2_sigma_mm, "d2_sigma_mm", "mm", closed(0, 100), "its scatter"),
+        need<S>(&S::check_min, "check_min", "min", closed(0, 1e4), "time of a check"),
+        may<S>(&S::wear_per_check_um, "wear_per_check_um", "um", closed(1e-6, 100),
+               "wear of the gauge per check"),
+        may<S>(&S::replace_at_wear, "replace_at_wear", "1", closed(0.01, 3),
+               "share of the wear allowance at which a gauge is replaced; above 1 beyond its limit"),
+        may<S>(
+            &S::worn_now, "worn_now", "1", closed(0, 3),
+            "share of the allowance worn off, in a shop at its start; not given: mean over the gauge's life, "
+            "in a shop new gauges"),
+        may<S>(&S::gauge_cost, "gauge_cost", "money", closed(0, 1e9), "price of the pair of gauges"),
+        may<S>(&S::replace_min, "replace_min", "min", closed(0, 1e4),
+               "time of the station to replace the gauges at their wear limit"),
+        may<S>(&S::consumer_risk_max, "consumer_risk_max", "1", probability(),
+               "largest share of defective parts that may pass"),
+        may<S>(&S::producer_risk_max, "producer_risk_max", "1", probability(),
+               "largest share of good parts that may be rejected")};
   }
 };
 
@@ -117,6 +122,33 @@ Detection detection(const GaugeInspection& spec, const Gauges& gauges) {
   return d;
 }
 
+/// The same at every state from new to replaced: risks change smoothly up to the wear limit and beyond it.
+GaugeWear wear_of(const GaugeInspection& spec, const Gauges& gauges) {
+  constexpr int nodes = 12;  // per range; linear between, less than 1e-3 of the risk of new gauges off
+  GaugeWear wear;
+  const k307::GaugeSizes& outer = gauges.outer();
+  wear.wear_per_check = spec.wear_per_check_um / 1000 / std::abs(Gauges::fresh(outer) - outer.b_wear_mm);
+  wear.start = spec.worn_now.value_or(0);
+  wear.replace_at = spec.replace_at_wear;
+  wear.replace_min = spec.replace_min;
+  wear.price = spec.gauge_cost;
+  wear.origin = "K307.gauge_pass_probability";
+  const double end = std::max(wear.replace_at, wear.start);
+  GaugeInspection at = spec;
+  const auto add = [&](double worn) {
+    at.worn_now = worn;
+    const Detection d = detection(at, gauges);
+    wear.worn.push_back(worn);
+    wear.sensitivity.push_back(d.sensitivity);
+    wear.specificity.push_back(d.specificity);
+  };
+  const double within = std::min(end, 1.0);
+  for (int k = 0; k <= nodes; ++k) add(within * k / nodes);
+  if (end > 1)
+    for (int k = 1; k <= nodes; ++k) add(1 + (end - 1) * k / nodes);
+  return wear;
+}
+
 }  // namespace
 
 CutPlan plan(const GaugeInspection& spec, const PlanContext&) {
@@ -135,6 +167,7 @@ CutPlan plan(const GaugeInspection& spec, const PlanContext&) {
   p.set_main_time(spec.check_min, "given");
   p.scrap_probability = 1 - accepted;
   p.detection = d;
+  if (outer.wear_allowance_mm + outer.tolerance_mm > 0) p.gauge = wear_of(spec, gauges);
   auto& q = p.quantities;
   q.push_back({"good_share", gauges.good(), "1", "K307.gauge_pass_probability",
                "share of parts that conform: they pass gauges at the wear limit"});
@@ -161,13 +194,6 @@ CutPlan plan(const GaugeInspection& spec, const PlanContext&) {
         {"gauges", 1 / checks, "1", "K307.gauge_life_checks", "share of a pair of gauges"});
     p.consumables.push_back(
         {"gauge_cost", spec.gauge_cost / checks, "money", "K307.gauge_life_checks", "its price"});
-    // As a replaceable element: its life in minutes of checking, worn evenly.
-    if (spec.check_min > 0)
-      p.more_elements.push_back({.element = "gauge",
-                                 .law = models::LifeLawKind::normal,
-                                 .mean_min = checks * spec.check_min,
-                                 .cv = 0.05,
-                                 .origin = "K307.gauge_life_checks; COMPLETION: scatter of 5 %"});
   }
   return p;
 }

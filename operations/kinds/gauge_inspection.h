@@ -24,6 +24,7 @@ struct GaugeInspection {
   double replace_at_wear = 1;      ///< share of the wear allowance at which a gauge is replaced
   std::optional<double> worn_now;  ///< share used; not given: the mean over the life of the gauge
   double gauge_cost = 0;           ///< of the pair
+  double replace_min = 0;          ///< time of the station to replace it
   std::optional<double> consumer_risk_max;
   std::optional<double> producer_risk_max;
 };

@@ -55,6 +55,8 @@ CutPlan plan(const GearRolling& spec, const PlanContext& context) {
   if (quality.accuracy_grade)
     q.push_back({"accuracy_grade", static_cast<double>(*quality.accuracy_grade), "1",
                  "K115.gear_rolling_quality", "accuracy grade reached"});
+  p.leave("profile_error_um");
+  if (quality.accuracy_grade) p.leave("accuracy_grade");
   if (spec.profile_error_max_um)
     p.limits.push_back(
         {"profile_error_um", error_um, *spec.profile_error_max_um, true, "um", "K115.gear_rolling_quality"});

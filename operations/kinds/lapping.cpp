@@ -180,6 +180,8 @@ CutPlan plan(const Lapping& s, const PlanContext&) {
     q.push_back({"roughness_ra_um", rough.ra_um, "um", "K311.lapped_roughness", "Ra after the gentle stage"});
     q.push_back(
         {"roughness_max_um", rough.r_max_um, "um", "K311.lapped_roughness", "R_max after the gentle stage"});
+    p.leave("roughness_ra_um");
+    p.leave("roughness_max_um");
     p.limits.push_back(
         {"roughness_max_um", rough.r_max_um, s.roughness_final_um, true, "um", "K311.lapped_roughness"});
     if (s.roughness_ra_max_um)

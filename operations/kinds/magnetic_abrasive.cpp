@@ -25,6 +25,8 @@ struct verstat::models::StructFields<verstat::operations::MagneticAbrasive> {
                    "time constant of the fall of roughness, to be measured"),
             may<S>(&S::ra_before_um, "ra_before_um", "um", open_low(0, 100),
                    "roughness before; not given: that of the paper's ground bearings"),
+            may<S>(&S::part_life_factor, "part_life_factor", "1", closed(0.01, 100),
+                   "life in service over that of a ground bearing, to be measured"),
             may<S>(&S::ra_max_um, "ra_max_um", "um", open_low(0, 100), "roughest surface allowed")};
   }
 };
@@ -78,6 +80,10 @@ CutPlan plan(const MagneticAbrasive& spec, const PlanContext& context) {
   q.push_back({"ra_before_um", before_um, "um", spec.ra_before_um ? "given" : "K309.ground_state",
                "roughness Ra before"});
   q.push_back({"ra_um", ra_um, "um", "K309.roughness_after_mao", "roughness Ra after"});
+  q.push_back({"part_life_factor", spec.part_life_factor, "1", "given; K309 only asserts it",
+               "life of the bearing in service over that of a ground one"});
+  p.leave("ra_um");
+  p.leave("part_life_factor");
   p.limits.push_back({"track_gap_mm", gap.gap_mm, spec.groove_width_mm, true, "mm",
                       "K309.track_max_gap: scratches must cover the surface"});
   p.limits.push_back({"in_window", window.in_window ? 1.0 : 0.0, 1, false, "1",

@@ -26,6 +26,7 @@ struct MagneticAbrasive {
   std::int64_t passes = 4;
   double time_constant_min = 1;        ///< of the fall of roughness; to be measured
   std::optional<double> ra_before_um;  ///< not given: as the paper ground the material
+  double part_life_factor = 1;         ///< of the bearing in service; to be measured
   std::optional<double> ra_max_um;
 };
 

@@ -27,7 +27,15 @@ struct verstat::models::StructFields<verstat::operations::PulseCurrent> {
             need<S>(&S::bonding_temperature_c, "bonding_temperature_c", "degC", closed(0, 1e4),
                     "temperature that bonding needs"),
             need<S>(&S::boiling_temperature_c, "boiling_temperature_c", "degC", closed(0, 1e4),
-                    "temperature that would spoil the spot")};
+                    "temperature that would spoil the spot"),
+            may<S>(&S::life_factor, "life_factor", "1", closed(0.01, 100),
+                   "mean life of a coated tool or part over that as delivered, to be measured"),
+            may<S>(&S::life_law, "life_law", "-", no_range(), "life law of coated tools"),
+            may<S>(&S::life_cv, "life_cv", "1", closed(0.05, 2), "scatter of their lives"),
+            may<S>(&S::breakage_fraction, "breakage_fraction", "1", probability(),
+                   "share of their lives that end by breakage"),
+            may<S>(&S::cost_per_piece, "cost_per_piece", "money", closed(0, 1e9),
+                   "of treating a tool of the lot")};
   }
 };
 
@@ -89,6 +97,15 @@ CutPlan plan(const PulseCurrent& spec, const PlanContext& context) {
                       "K310.constriction_temperature"});
   p.limits.push_back({"setup_generates", setup.generates ? 1.0 : 0.0, 1, false, "1",
                       "K310.setup_feasible: the published generator"});
+  q.push_back({"life_factor", spec.life_factor, "1", "given; K310 has no data",
+               "mean life of a coated tool or part over that as delivered"});
+  p.leave("life_factor");
+  p.lot = PreparedLot{.law = spec.life_law,
+                      .life_factor = spec.life_factor,
+                      .cv = spec.life_cv,
+                      .breakage_fraction = spec.breakage_fraction,
+                      .added_cost_per_insert = spec.cost_per_piece,
+                      .origin = "given; K310 has no data"};
   limit_power(p, context, energy_j * spec.frequency_hz / 1000, "K310.pulse_energy");
   p.consumables.push_back({"heat_j", energy_j * static_cast<double>(time.pulses), "J", "K310.pulse_energy",
                            "heat brought into the contact"});

@@ -24,6 +24,12 @@ struct PulseCurrent {
   double body_temperature_c = 20;
   double bonding_temperature_c = 0;  ///< that the spot must reach
   double boiling_temperature_c = 0;  ///< that it must not
+  /// What the coating is worth: K310 has no data, so it is given. For a lot of tools or for the part itself.
+  double life_factor = 1;
+  models::LifeLawKind life_law = models::LifeLawKind::weibull;
+  double life_cv = 0.7;
+  double breakage_fraction = 0;
+  double cost_per_piece = 0;
 };
 
 /// Throws models::ModelError for values outside the models' ranges.

@@ -138,6 +138,9 @@ void state_handed_on(const ThermoFriction& spec, CutPlan& p) {
                                   .allowance_um;
   add("following_allowance_mm", allowance_um / 1000, "mm", "K305.following_allowance",
       "smallest allowance of the next operation");
+  for (const char* left : {"roughness_rz_um", "hardened_depth_um", "surface_hardness_ratio",
+                           "following_allowance_mm", "next_hardness_ratio"})
+    p.leave(left);
   // What the next operation leaves under its own surface.
   add("next_hardness_ratio",
       k305::hardness_ratio({.depth_um = allowance_um, .factor = spec.hardening_factor}).ratio, "1",
@@ -157,6 +160,8 @@ void state_handed_on(const ThermoFriction& spec, CutPlan& p) {
   add("stress_at_25_um_mpa", stress_mpa(25), "MPa", origin, "residual, in the active layer");
   add("next_surface_stress_mpa", stress_mpa(allowance_um), "MPa", origin,
       "residual, at the surface of the next operation");
+  p.leave("surface_stress_mpa");
+  p.leave("next_surface_stress_mpa");
   if (spec.surface_stress_max_mpa)
     p.limits.push_back(
         {"surface_stress_mpa", stress_mpa(0), *spec.surface_stress_max_mpa, true, "MPa", origin});

@@ -7,6 +7,7 @@
 #include "models/drilling/k111_reverse_tilt_chisel_edge.h"
 #include "models/drilling/k114_sharpened_chisel_edge.h"
 #include "models/drilling/k308_hole_pair_tooling.h"
+#include "models/drilling/k410_drilling_fem.h"
 #include "operations/fields.h"
 #include "operations/machine_load.h"
 #include "operations/taylor.h"
@@ -21,6 +22,14 @@ std::vector<Field> StructFields<operations::MultiSpindleHead>::fields() {
           may<S>(&S::gear_module_mm, "gear_module_mm", "mm", closed(0.1, 50), "module of the gears"),
           may<S>(&S::centre_distance_mm, "centre_distance_mm", "mm", open_low(0, 1e4),
                  "distance of the two spindles")};
+}
+
+std::vector<Field> StructFields<operations::DrillRun>::fields() {
+  using S = operations::DrillRun;
+  return {need<S>(&S::diameter_mm, "diameter_mm", "mm", closed(0.1, 200), "drill diameter"),
+          need<S>(&S::feed_mm_rev, "feed_mm_rev", "mm/rev", closed(1e-3, 10), "feed"),
+          need<S>(&S::thrust_n, "thrust_n", "N", open_low(0, 1e7), "thrust"),
+          need<S>(&S::torque_nm, "torque_nm", "N m", open_low(0, 1e6), "torque")};
 }
 
 template <>
@@ -55,6 +64,11 @@ struct StructFields<operations::ThroughHoleDrilling> {
         may<S>(&S::torque_exp_diameter, "torque_exp_diameter", "1", closed(0, 5), "x of the torque"),
         may<S>(&S::torque_exp_feed, "torque_exp_feed", "1", closed(0.1, 2), "y of the torque"),
         may<S>(&S::load_cv, "load_cv", "1", closed(0, 1), "coefficient of variation of the loads"),
+        entries(may<S>(&S::runs, "runs", "-", no_range(),
+                       "simulated or measured runs to which the laws of thrust and torque are fitted"),
+                0, 10'000),
+        may<S>(&S::strength_mpa, "strength_mpa", "MPa", closed(300, 1200),
+               "strength of the steel, for the comparison of the runs with the handbook"),
         may<S>(&S::point, "point", "-", no_range(), "grinding of the drill point"),
         may<S>(&S::half_point_angle_deg, "half_point_angle_deg", "deg", closed(45, 75), "half point angle"),
         may<S>(&S::chisel_share, "chisel_share", "1", closed(0, 0.95),
@@ -209,6 +223,57 @@ Loads loads(const ThroughHoleDrilling& spec, double feed_mm_rev, double thrust_r
                                          .thrust_n,
           .torque_nm = spec.torque_coefficient_nm * std::pow(spec.diameter_mm, spec.torque_exp_diameter) *
                        std::pow(feed_mm_rev, spec.torque_exp_feed)};
+}
+
+/// The specification with the power laws fitted to its runs (K410). Runs of one diameter tell the feed only:
+/// the exponent of the diameter stays as given.
+ThroughHoleDrilling fitted(const ThroughHoleDrilling& given, CutPlan& p) {
+  ThroughHoleDrilling spec = given;
+  if (given.runs.empty()) return spec;
+  const bool one_diameter = std::all_of(given.runs.begin(), given.runs.end(), [&](const DrillRun& run) {
+    return run.diameter_mm == given.runs.front().diameter_mm;
+  });
+  models::k410::Runs thrust;
+  models::k410::Runs torque;
+  models::k410::Comparison compared;
+  for (const DrillRun& run : given.runs) {
+    std::vector<double> factors{run.feed_mm_rev};
+    if (!one_diameter) factors.push_back(run.diameter_mm);
+    thrust.factors.push_back(factors);
+    torque.factors.push_back(std::move(factors));
+    thrust.response.push_back(run.thrust_n);
+    torque.response.push_back(run.torque_nm);
+    models::k410::Drilling handbook;
+    handbook.diameter_mm = run.diameter_mm;
+    handbook.feed_mm_rev = run.feed_mm_rev;
+    handbook.spindle_rpm = 1000 * given.cutting_speed_m_min / (std::numbers::pi * run.diameter_mm);
+    handbook.strength_mpa = given.strength_mpa;
+    compared.model.push_back(run.thrust_n);
+    compared.reference.push_back(models::k410::drilling_loads(handbook).thrust_n);
+  }
+  const auto thrust_law = models::k410::fit_power_law(thrust);
+  const auto torque_law = models::k410::fit_power_law(torque);
+  const auto take = [&](const models::k410::PowerLawFit& law, double& coefficient, double& exp_feed,
+                        double& exp_diameter, const char* what) {
+    models::require(law.exponents[0] >= 0.1 && law.exponents[0] <= 2, "runs", law.exponents[0],
+                    std::string("gives this exponent of the feed for the ") + what + ", allowed 0.1 to 2");
+    exp_feed = law.exponents[0];
+    coefficient = law.coefficient;
+    if (one_diameter)
+      coefficient /= std::pow(given.runs.front().diameter_mm, exp_diameter);
+    else
+      exp_diameter = law.exponents[1];
+  };
+  take(thrust_law, spec.thrust_coefficient_n, spec.thrust_exp_feed, spec.thrust_exp_diameter, "thrust");
+  take(torque_law, spec.torque_coefficient_nm, spec.torque_exp_feed, spec.torque_exp_diameter, "torque");
+  const auto agreement = models::k410::model_agreement(compared);
+  p.quantities.push_back({"thrust_fit_error", thrust_law.max_relative_error, "1", "K410.fit_power_law",
+                          "largest relative error of the fitted thrust over the runs"});
+  p.quantities.push_back({"torque_fit_error", torque_law.max_relative_error, "1", "K410.fit_power_law",
+                          "the same of the torque"});
+  p.quantities.push_back({"thrust_against_handbook", agreement.mean_relative_error, "1",
+                          "K410.model_agreement", "mean of thrust of the runs over the handbook's, less 1"});
+  return spec;
 }
 
 /// Feed jump of a machine that drives the feed rigidly; none when the drill is pulled through.
@@ -376,13 +441,14 @@ void bushings(const ThroughHoleDrilling& spec, double drills, double strokes, Cu
 
 }  // namespace
 
-CutPlan plan(const ThroughHoleDrilling& spec, const PlanContext& context) {
+CutPlan plan(const ThroughHoleDrilling& given, const PlanContext& context) {
+  CutPlan p;
+  const ThroughHoleDrilling spec = fitted(given, p);
   const double rpm = 1000 * spec.cutting_speed_m_min / (std::numbers::pi * spec.diameter_mm);
   const double point_height_mm =
       spec.diameter_mm / 2 / std::tan(spec.half_point_angle_deg * std::numbers::pi / 180);
   const double drills = spec.head ? static_cast<double>(spec.head->drills) : 1;
 
-  CutPlan p;
   const PointEffect point = point_effect(spec, p);
   const Loads nominal = loads(spec, spec.feed_mm_rev, point.thrust_ratio);
   const double thrust_all_n = drills * nominal.thrust_n;
@@ -477,7 +543,7 @@ namespace through_hole_drilling {
 void add_to(Kinds& kinds) {
   kinds.add<ThroughHoleDrilling>(
       "Through holes under four exit strategies, one by one or by a multi-spindle head.",
-      {"K113", "K111", "K114", "K308"});
+      {"K113", "K111", "K114", "K308", "K410"});
 }
 }  // namespace through_hole_drilling
 

@@ -4,7 +4,7 @@
 //
 // What the drill does when it breaks through is a strategy (K113): the feed jump overloads the drill, every
 // cure costs time. The point of the drill is standard, slotted (K111) or sharpened (K114); head and drill
-// bushings follow K308.
+// bushings follow K308. The loads can be fitted to runs of a finite-element study or of tests (K410).
 
 #include <cstdint>
 
@@ -27,6 +27,14 @@ struct MultiSpindleHead {
   std::int64_t gear_teeth = 20;
   double gear_module_mm = 2;
   std::optional<double> centre_distance_mm;  ///< of two adjustable spindles
+};
+
+/// One simulated or measured run of the drill, K410.
+struct DrillRun {
+  double diameter_mm = 0;
+  double feed_mm_rev = 0;
+  double thrust_n = 0;
+  double torque_nm = 0;
 };
 
 struct ThroughHoleDrilling {
@@ -55,6 +63,9 @@ struct ThroughHoleDrilling {
   double torque_exp_diameter = 2;
   double torque_exp_feed = 0.8;
   double load_cv = 0.1;
+  /// Simulated or measured runs: the power laws are fitted to them instead (K410).
+  std::vector<DrillRun> runs;
+  double strength_mpa = 750;  ///< of the steel, for the comparison with the handbook
 
   DrillPoint point = DrillPoint::standard;
   double half_point_angle_deg = 59;
@@ -108,6 +119,10 @@ struct verstat::models::EnumNames<verstat::operations::DrillBushing> {
   using E = operations::DrillBushing;
   static constexpr std::array names{std::pair{E::none, "none"}, std::pair{E::fixed, "fixed"},
                                     std::pair{E::rotating, "rotating"}};
+};
+template <>
+struct verstat::models::StructFields<verstat::operations::DrillRun> {
+  static std::vector<Field> fields();
 };
 template <>
 struct verstat::models::StructFields<verstat::operations::MultiSpindleHead> {

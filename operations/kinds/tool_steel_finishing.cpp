@@ -26,7 +26,13 @@ struct verstat::models::StructFields<verstat::operations::ToolSteelFinishing> {
             may<S>(&S::fatigue_limit_min_mpa, "fatigue_limit_min_mpa", "MPa", open_low(0, 5000),
                    "fatigue limit that the part needs at 1e7 cycles"),
             may<S>(&S::tempered_depth_max_um, "tempered_depth_max_um", "um", closed(0, 1000),
-                   "deepest tempered zone allowed")};
+                   "deepest tempered zone allowed"),
+            may<S>(&S::life_cv, "life_cv", "1", closed(0.05, 2),
+                   "scatter of the lives of a lot of tools finished so"),
+            may<S>(&S::breakage_fraction, "breakage_fraction", "1", probability(),
+                   "share of those lives that end by breakage"),
+            may<S>(&S::cost_per_tool, "cost_per_tool", "money", closed(0, 1e9),
+                   "of finishing a tool of the lot")};
   }
 };
 
@@ -63,6 +69,7 @@ void fatigue(const ToolSteelFinishing& spec, CutPlan& p) {
       turned ? k116::turned_fatigue_limit_vs_speed({spec.surface_speed_m_min}).limit_mpa : ground_mpa;
   const char* origin = turned ? "K116.turned_fatigue_limit_vs_speed" : "K116.fatigue_limit";
   p.quantities.push_back({"fatigue_limit_mpa", limit_mpa, "MPa", origin, "fatigue limit at 1e7 cycles"});
+  p.leave("fatigue_limit_mpa");
   p.quantities.push_back({"fatigue_limit_factor", limit_mpa / ground_mpa, "1", origin,
                           "fatigue limit over that of abrasive grinding"});
   if (spec.fatigue_limit_min_mpa)
@@ -75,6 +82,14 @@ void fatigue(const ToolSteelFinishing& spec, CutPlan& p) {
                           "mean life at the working stress, curve of the nearest speed"});
   p.quantities.push_back({"service_life_factor", cycles / ground, "1", "K116.fatigue_life_cycles",
                           "this life over that of an abrasively ground part"});
+  p.leave("service_life_cycles");
+  // Dies and cutters of tool steel that fail by fatigue: delivered, they are ground with an abrasive wheel.
+  p.lot = PreparedLot{.law = models::LifeLawKind::weibull,
+                      .life_factor = cycles / ground,
+                      .cv = spec.life_cv,
+                      .breakage_fraction = spec.breakage_fraction,
+                      .added_cost_per_insert = spec.cost_per_tool,
+                      .origin = "K116.fatigue_life_cycles; COMPLETION: the scatter is given"};
 }
 
 void layer(const ToolSteelFinishing& spec, CutPlan& p) {
@@ -93,6 +108,8 @@ void layer(const ToolSteelFinishing& spec, CutPlan& p) {
                                                           : k116::LayerFinish::geksanit_a_wheel});
   p.quantities.push_back({"tempered_depth_um", zone.to_um, "um", "K116.tempered_zone_depth",
                           "deepest reach of the tempered zone"});
+  p.leave("retained_austenite_percent");
+  p.leave("tempered_depth_um");
   if (spec.tempered_depth_max_um)
     p.limits.push_back({"tempered_depth_um", zone.to_um, *spec.tempered_depth_max_um, true, "um",
                         "K116.tempered_zone_depth"});

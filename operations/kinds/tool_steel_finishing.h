@@ -26,6 +26,10 @@ struct ToolSteelFinishing {
   std::optional<double> working_stress_mpa;     ///< amplitude in service
   std::optional<double> fatigue_limit_min_mpa;  ///< at 1e7 cycles
   std::optional<double> tempered_depth_max_um;
+  /// A lot of tools that fail by fatigue at the working stress.
+  double life_cv = 0.7;
+  double breakage_fraction = 0;
+  double cost_per_tool = 0;
 };
 
 /// Throws models::ModelError for values outside the models' ranges, models::DomainError for a fatigue limit

@@ -5,6 +5,7 @@
 
 #include "models/reliability/k117_rational_reliability.h"
 #include "models/surface/k411_finish_turning_roughness.h"
+#include "models/thermal/k110_contact_hot_spots.h"
 #include "models/thermal/k403_unsteady_cutting_temperature.h"
 #include "operations/fields.h"
 #include "operations/machine_load.h"
@@ -13,6 +14,7 @@
 namespace verstat::models {
 
 using operations::Turning;
+using operations::TurningContact;
 using operations::TurningHeat;
 using operations::TurningInsert;
 using operations::TurningMaterial;
@@ -57,6 +59,25 @@ std::vector<Field> StructFields<TurningHeat>::fields() {
           may<S>(&S::ambient_c, "ambient_c", "degC", closed(-60, 200), "ambient temperature")};
 }
 
+std::vector<Field> StructFields<TurningContact>::fields() {
+  using S = TurningContact;
+  return {need<S>(&S::heat_capacity_n_mm2_k, "heat_capacity_n_mm2_k", "N/(mm2 K)", closed(1.5, 4),
+                  "heat capacity of the work material per volume; J/(cm3 K)"),
+          need<S>(&S::diffusivity_mm2_s, "diffusivity_mm2_s", "mm2/s", closed(2, 100),
+                  "thermal diffusivity of the work material"),
+          may<S>(&S::temperature_coefficient, "temperature_coefficient", "1", open_low(0, 10),
+                 "coefficient of the mean temperature, to be calibrated (titanium 0.23 to 0.25)"),
+          may<S>(&S::hot_spot_factor, "hot_spot_factor", "1", closed(1, 10),
+                 "rise of the hot spots over that of the mean (published 1.8 to 2.8)"),
+          may<S>(&S::ambient_c, "ambient_c", "degC", closed(-50, 100), "ambient temperature"),
+          may<S>(&S::hot_spot_max_c, "hot_spot_max_c", "degC", open_low(0, 3000),
+                 "hottest that a spot may become: limits the cutting speed"),
+          may<S>(&S::hot_area_fraction, "hot_area_fraction", "1", closed(0, 1),
+                 "share of the contact that runs as hot as the spots"),
+          may<S>(&S::activation_energy_kj_mol, "activation_energy_kj_mol", "kJ/mol", closed(0, 1000),
+                 "of the thermally activated wear; 0: wear does not follow temperature")};
+}
+
 template <>
 struct StructFields<Turning> {
   static std::vector<Field> fields() {
@@ -72,6 +93,8 @@ struct StructFields<Turning> {
         may<S>(&S::material, "material", "-", no_range(), "work material: adds force and power"),
         may<S>(&S::insert, "insert", "-", no_range(), "corner of the insert: adds section and roughness"),
         may<S>(&S::heat, "heat", "-", no_range(), "heat properties: adds temperatures"),
+        may<S>(&S::contact, "contact", "-", no_range(),
+               "contact of chip and rake at high temperature: limits speed, shortens life"),
         may<S>(&S::force_max_n, "force_max_n", "N", open_low(0, 1e7), "largest cutting force"),
         may<S>(&S::radial_force_max_n, "radial_force_max_n", "N", open_low(0, 1e7), "largest radial force"),
         may<S>(&S::roughness_max_um, "roughness_max_um", "um", open_low(0, 1000), "largest Ra"),
@@ -127,6 +150,8 @@ void roughness(const Turning& spec, CutPlan& p) {
   p.quantities.push_back({"roughness_ra_um", fit.ra_um, "um", "K411.turning_ra", "Ra of the turned surface"});
   p.quantities.push_back(
       {"profile_height_um", fit.height_um, "um", "K411.turning_ra", "theoretical height of the profile"});
+  p.leave("roughness_ra_um");
+  p.leave("profile_height_um");
   if (!spec.roughness_max_um) return;
   models::k411::LimitedSurface limited;
   static_cast<models::k411::TurnedSurface&>(limited) = surface;
@@ -219,6 +244,51 @@ void temperatures(const Turning& spec, CutPlan& p) {
     p.limits.push_back({"mean_temperature_c", theta.mean_c, *spec.temperature_max_c, true, "degC", origin});
 }
 
+/// Mean temperature of the contact, its hot spots and the wear that they add.
+void hot_contact(const Turning& spec, CutPlan& p) {
+  const TurningContact& contact = *spec.contact;
+  models::k110::InterfaceInputs in;
+  in.specific_energy_n_mm2 = p.spindle.specific_force_n_mm2;  // energy per volume is force per section
+  in.heat_capacity_n_mm2_k = contact.heat_capacity_n_mm2_k;
+  in.diffusivity_mm2_s = contact.diffusivity_mm2_s;
+  in.speed_m_min = spec.cutting_speed_m_min;
+  in.chip_thickness_mm = p.value_of("mean_chip_thickness_mm").value_or(spec.feed_mm_rev);
+  in.ambient_degc = contact.ambient_c;
+  in.coefficient = contact.temperature_coefficient;
+  const double mean_c = models::k110::mean_interface_temperature(in).mean_degc;
+  const double hot_c = contact.ambient_c + contact.hot_spot_factor * (mean_c - contact.ambient_c);
+  p.quantities.push_back({"contact_temperature_c", mean_c, "degC", "K110.mean_interface_temperature",
+                          "mean of the contact of chip and rake"});
+  p.quantities.push_back({"hot_spot_temperature_c", hot_c, "degC", "K110.thermal_severity",
+                          "of its hot spots, local and short"});
+  if (contact.hot_spot_max_c) {
+    models::k110::SpeedLimitInputs limit;
+    limit.specific_energy_n_mm2 = in.specific_energy_n_mm2;
+    limit.heat_capacity_n_mm2_k = in.heat_capacity_n_mm2_k;
+    limit.diffusivity_mm2_s = in.diffusivity_mm2_s;
+    limit.chip_thickness_mm = in.chip_thickness_mm;
+    limit.limit_degc = *contact.hot_spot_max_c;
+    limit.ambient_degc = in.ambient_degc;
+    limit.hot_spot_factor = contact.hot_spot_factor;
+    limit.coefficient = in.coefficient;
+    const double speed_m_min = models::k110::speed_limit_by_temperature(limit).speed_m_min;
+    p.quantities.push_back({"hot_spot_speed_limit_m_min", speed_m_min, "m/min",
+                            "K110.speed_limit_by_temperature",
+                            "speed at which the hot spots reach their limit"});
+    p.limits.push_back({"cutting_speed_m_min", spec.cutting_speed_m_min, speed_m_min, true, "m/min",
+                        "K110.speed_limit_by_temperature"});
+  }
+  if (contact.hot_area_fraction == 0 || contact.activation_energy_kj_mol == 0) return;
+  const double wear = models::k110::hot_zone_wear_multiplier(
+                          {mean_c, hot_c, contact.hot_area_fraction, contact.activation_energy_kj_mol})
+                          .mean_rate_multiplier;
+  p.quantities.push_back({"hot_spot_wear_multiplier", wear, "1", "K110.hot_zone_wear_multiplier",
+                          "wear rate over that of a contact at the mean temperature"});
+  if (!p.edge) return;
+  p.edge->mean_min /= wear;
+  p.edge->origin = "K117.mean_life_for_regime, K110.hot_zone_wear_multiplier";
+}
+
 /// A limit on something that the given members do not determine is a mistake, not a limit that is met.
 void check_limits_have_their_quantities(const Turning& spec) {
   using models::require;
@@ -238,6 +308,12 @@ void check_limits_have_their_quantities(const Turning& spec) {
   if (spec.heat)
     require(spec.material.has_value(), "heat/flank_wear_mm", spec.heat->flank_wear_mm,
             "needs the member \"material\": heat comes from the cutting force");
+  if (spec.contact) {
+    require(spec.material.has_value(), "contact/heat_capacity_n_mm2_k", spec.contact->heat_capacity_n_mm2_k,
+            "needs the member \"material\": heat comes from the cutting force");
+    require(!spec.contact->hot_spot_max_c || *spec.contact->hot_spot_max_c > spec.contact->ambient_c,
+            "contact/hot_spot_max_c", spec.contact->hot_spot_max_c.value_or(0), "must be above ambient_c");
+  }
 }
 
 }  // namespace
@@ -268,12 +344,13 @@ CutPlan plan(const Turning& spec, const PlanContext& context) {
   }
   if (spec.insert) roughness(spec, p);
   if (spec.heat) temperatures(spec, p);
+  if (spec.contact) hot_contact(spec, p);
   return p;
 }
 
 namespace turning {
 void add_to(Kinds& kinds) {
-  kinds.add<Turning>("A cylinder turned lengthwise in passes.", {"K117", "K411", "K403", "K102"});
+  kinds.add<Turning>("A cylinder turned lengthwise in passes.", {"K117", "K411", "K403", "K102", "K110"});
 }
 }  // namespace turning
 

@@ -44,6 +44,18 @@ struct TurningHeat {
   double ambient_c = 20;
 };
 
+/// Contact of chip and rake face at high temperature, K110: what the mean and its hot spots allow.
+struct TurningContact {
+  double heat_capacity_n_mm2_k = 0;  ///< of the work material, per volume
+  double diffusivity_mm2_s = 0;      ///< of the work material
+  double temperature_coefficient = 0.4;
+  double hot_spot_factor = 1;  ///< local over mean rise; published 1.8 to 2.8
+  double ambient_c = 20;
+  std::optional<double> hot_spot_max_c;
+  double hot_area_fraction = 0;         ///< of the contact that runs at the hot spots' temperature
+  double activation_energy_kj_mol = 0;  ///< of the wear; with a hot area it shortens the edge's life
+};
+
 struct Turning {
   static constexpr const char* kind = "turning";
   double diameter_mm = 0;
@@ -55,6 +67,7 @@ struct Turning {
   std::optional<TurningMaterial> material;
   std::optional<TurningInsert> insert;
   std::optional<TurningHeat> heat;           ///< needs material
+  std::optional<TurningContact> contact;     ///< needs material
   std::optional<double> force_max_n;         ///< on the cutting force; needs material
   std::optional<double> radial_force_max_n;  ///< needs insert and the material's strength
   std::optional<double> roughness_max_um;    ///< on Ra; needs insert
@@ -74,6 +87,10 @@ struct verstat::models::StructFields<verstat::operations::TurningMaterial> {
 };
 template <>
 struct verstat::models::StructFields<verstat::operations::TurningInsert> {
+  static std::vector<Field> fields();
+};
+template <>
+struct verstat::models::StructFields<verstat::operations::TurningContact> {
   static std::vector<Field> fields();
 };
 template <>

@@ -57,7 +57,8 @@ Shop::PlannedOperation::PlannedOperation(const Operation& operation, std::size_t
       quality(operation.quality ? &*operation.quality : nullptr),
       spec(&operation),
       plan(std::move(cut_plan)) {
-  double kept = 1 - plan.scrap_probability;
+  // Of an inspection it is the share rejected when defects come as its plan assumes: here parts are judged.
+  double kept = plan.detection ? 1 : 1 - plan.scrap_probability;
   if (quality != nullptr) kept *= 1 - quality->scrap_probability;
   spoils = 1 - kept;
   if (plan.time_law) time_law = law_of(*plan.time_law);
@@ -75,6 +76,7 @@ Shop::Shop(const scenarios::Scenario& scenario, std::uint64_t replication, Trace
   build_machines();
   build_tools();
   build_flow();
+  build_quality();
   start();
 }
 
@@ -226,6 +228,7 @@ void Shop::start() {
       release_what_may(source->part);
     }
   }
+  build_limits();
   for (const auto& group : groups_)
     if (group->assembles_unlimited) assembling_groups_.push_back(group.get());
   for (const auto& store : stores_)

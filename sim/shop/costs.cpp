@@ -12,7 +12,7 @@ constexpr std::array<Heading, cost_headings> headings = {{
     {"other_operations", "machine minutes of operations given as durations"},
     {"loading", "machine minutes of loading and unloading"},
     {"setup", "machine and crew minutes of changing over, and its cost"},
-    {"planned_change", "machine and crew minutes of planned insert changes"},
+    {"planned_change", "machine and crew minutes of planned changes of inserts or gauges"},
     {"failure_change", "machine and crew minutes of changes after a failure"},
     {"waiting_crew", "machine minutes of waiting for the crew"},
     {"waiting_tool", "machine minutes of waiting for a tool or an insert"},

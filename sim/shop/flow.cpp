@@ -119,6 +119,7 @@ Job* Shop::new_job(std::size_t part, std::int64_t quantity) {
                     quantity, scenario_.parts[part].name, most_pieces));
   Job* job = jobs_.make();
   job->part = part;
+  job->from = from_supply();
   job->quantity = quantity;
   job->arrived_min = sim_.now();
   job->since_min = sim_.now();
@@ -325,11 +326,13 @@ sim::Task<void> Shop::pass_on(MachineUnit& machine, Job& job) {
     look_for_standstill(machine);
     sim::Signal& room = to.store != route_end ? stores_[to.store]->room : groups_[to.group]->room;
     co_await room.wait_until([&] { return has_room(to, job); });
+    told_blocked(machine);
   }
   // The room is taken from now on.
   if (to.store != route_end) {
     stores_[to.store]->on_their_way += job.quantity;
   } else {
+    job.from = from;
     job.step = next;
     job.on_its_way_to = to.group;
     ++groups_[to.group]->on_their_way;
@@ -348,6 +351,7 @@ sim::Task<void> Shop::pass_on(MachineUnit& machine, Job& job) {
       enter(machine, MachineState::blocked);
       machine.waits_for = Place();
       co_await carrier->room.wait_until([&] { return carrier->on_board < conveyor->capacity; });
+      told_blocked(machine);
     }
     ++carrier->on_board;
   }
@@ -424,6 +428,7 @@ void Shop::serve_assemblies() {
       ++k;
       continue;
     }
+    job->from = from_components();
     waiting_for_components_.erase(waiting_for_components_.begin() + static_cast<std::ptrdiff_t>(k));
     job->enter(Phase::queue, sim_.now());
     Group& group = *groups_[job->on_its_way_to];
@@ -440,6 +445,7 @@ void Shop::serve_assemblies() {
     while (!group->idle.empty()) {
       Job* job = new_unlimited_job(*group);
       if (job == nullptr) break;
+      job->from = from_components();
       MachineUnit* machine = group->idle.front();
       group->idle.pop_front();
       machine->inbox.try_put(job);

@@ -24,12 +24,14 @@ struct Job {
   std::size_t part = 0;
   std::size_t step = 0;
   std::int64_t quantity = 1;
-  std::int64_t defects = 0;  ///< parts among them with a hidden defect
+  std::int64_t defects = 0;      ///< parts among them with a hidden defect
+  bool defects_assumed = false;  ///< an inspection took them from its own plan
   std::int64_t reworks = 0;
   double arrived_min = 0;
   double due_min = std::numeric_limits<double>::infinity();
   std::uint64_t number = 0;       ///< in order of arrival in the queue: first come, first served
   std::size_t on_its_way_to = 0;  ///< machine group of the present step
+  std::size_t from = 0;           ///< group it came from, or supply or components: see limits.cpp
   std::array<double, phases> phase_min{};
   bool in_use = true;
   Phase phase = Phase::release;

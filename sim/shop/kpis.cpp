@@ -18,7 +18,7 @@ constexpr std::string_view meaning_of(MachineState state) {
       "share of the time spent on operations given as durations",
       "share of the time spent loading and unloading",
       "share of the time spent changing over",
-      "share of the time in planned insert changes, crew at work",
+      "share of the time in planned changes of inserts or gauges",
       "share of the time in insert changes after a failure, crew at work",
       "share of the time waiting for a crew that is busy elsewhere or off",
       "share of the time waiting for a tool or an insert",
@@ -80,6 +80,7 @@ bool Shop::can_occur(const Group& group, MachineState state) const {
     case MachineState::idle:
       return true;
     case MachineState::planned_change:
+      return group.has_tool || group.has_gauge;
     case MachineState::failure_change:
       return group.has_tool;
     case MachineState::waiting_crew:
@@ -136,7 +137,7 @@ bool Shop::can_occur(Cost cost) const {
     case Cost::operations:
       for (const scenarios::Operation& operation : scenario_.operations)
         if (operation.cost > 0) return true;
-      return false;
+      return any_group([](const Group& group) { return group.has_gauge; });
     case Cost::escapes:
       for (const scenarios::PartType& part : scenario_.parts)
         if (part.escape_cost > 0) return true;
@@ -157,11 +158,14 @@ bool Shop::can_occur(Cost cost) const {
 }
 
 void Shop::settle() {
+  for (const auto& machine : machines_)
+    if (machine->clock.state() == MachineState::blocked) told_blocked(*machine);
   labour_->settle(sim_.now());
   for (IntervalCount& weeks : weeks_of_insert_) weeks.close();
   for (Grade& grade : grades_) grade.weeks.close();
   for (const auto& machine : machines_) {
     machine->clock.settle(sim_.now());
+    machine->missions.close();
     for (const auto& tool : machine->tools) {
       tool->clock.settle(sim_.now());
       tool->stops.close();
@@ -176,6 +180,8 @@ void Shop::reset_counts() {
   labour_->reset_counts(now);
   costs_.reset();
   reset_tool_counts();
+  reset_limits();
+  reset_quality_counts();
   for (PartCounts& part : parts_) part = PartCounts();
   for (const auto& machine : machines_) {
     machine->clock.reset(now);
@@ -407,12 +413,13 @@ void Shop::part_kpis(const KpiSink& sink) const {
     bool inspected = false;
     for (const scenarios::RouteStep& step : routes_[p]) {
       reworks = reworks || step.rework != scenarios::route_end;
-      inspected = inspected || operations_[step.operation].spec->quality.has_value();
+      inspected = inspected || operations_[step.operation].spec->quality.has_value() ||
+                  operations_[step.operation].on.front().plan.detection.has_value();
     }
     if (reworks)
       put("rework_ratio", "1", "parts sent to rework / parts finished",
           ratio(static_cast<double>(counts.reworked), finished));
-    if (inspected)
+    if (inspected || !type.requirements.empty())
       put("escape_ratio", "1", "good parts with a defect that nobody saw / good parts",
           ratio(static_cast<double>(counts.escaped), good));
     if (has_due_dates(type)) {
@@ -421,15 +428,32 @@ void Shop::part_kpis(const KpiSink& sink) const {
       put("tardiness_min", "min", "mean time after the due date, parts in time count as zero",
           ratio(counts.tardiness_min, good));
     }
+    requirement_kpis(p, sink);
   }
 }
 
 void Shop::crew_kpis(const KpiSink& sink) const {
-  for (std::size_t k = 0; k < scenario_.crews.size(); ++k)
-    sink(KpiInfo{fmt::format("crew/{}/utilization", scenario_.crews[k].name), "1",
-                 "minutes worked / minutes present"},
-         ratio(labour_->busy_min(k),
-               labour_->present_min(k, scenario_.simulation.warmup_min, scenario_.simulation.horizon_min)));
+  for (std::size_t k = 0; k < scenario_.crews.size(); ++k) {
+    const scenarios::Crew& crew = scenario_.crews[k];
+    const auto put = [&](const char* name, const char* meaning, std::optional<double> value) {
+      sink(KpiInfo{fmt::format("crew/{}/{}", crew.name, name), "1", meaning}, value);
+    };
+    const double present_min =
+        labour_->present_min(k, scenario_.simulation.warmup_min, scenario_.simulation.horizon_min);
+    const double all_min = window_min() * static_cast<double>(crew.members);
+    const double overtime_min = labour_->overtime_min(k);
+    const double working_min = labour_->busy_min(k) - overtime_min;
+    put("utilization", "minutes worked / minutes present", ratio(labour_->busy_min(k), present_min));
+    put("state/working", "share of the members' calendar time: called somewhere, on the way included",
+        ratio(working_min, all_min));
+    put("state/free", "share of the members' calendar time: on shift, nobody calls",
+        ratio(std::max(0.0, present_min - working_min), all_min));
+    if (crew.calendar.empty()) continue;
+    put("state/overtime", "share of the members' calendar time: finishing a job after the end of the shift",
+        ratio(overtime_min, all_min));
+    put("state/off_shift", "share of the members' calendar time: off shift and not at work",
+        ratio(all_min - present_min - overtime_min, all_min));
+  }
 }
 
 void Shop::store_and_transport_kpis(const KpiSink& sink) const {
@@ -471,6 +495,8 @@ void Shop::store_and_transport_kpis(const KpiSink& sink) const {
 void Shop::each_kpi(const KpiSink& sink) const {
   shop_kpis(sink);
   machine_kpis(sink);
+  limit_kpis(sink);
+  gauge_kpis(sink);
   double finished = 0;
   for (const PartCounts& part : parts_) finished += static_cast<double>(part.good + part.scrapped);
   tool_kpis(finished, sink);
@@ -478,6 +504,7 @@ void Shop::each_kpi(const KpiSink& sink) const {
   crew_kpis(sink);
   part_kpis(sink);
   store_and_transport_kpis(sink);
+  criteria_kpis(sink);
 }
 
 // A budget that ran out is the scenario's affair: said in its words, with the way out.

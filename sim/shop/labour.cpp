@@ -177,6 +177,9 @@ void Labour::book(Job& job, double now_min) {
   const double member_min = (now_min - job.since_min) * static_cast<double>(job.hands) /
                             static_cast<double>(crew.spec->machines_per_member);
   crew.busy_min += member_min;
+  if (crew.working_time && now_min > job.since_min)
+    crew.overtime_min +=
+        member_min * (1 - crew.working_time->working_min(job.since_min, now_min) / (now_min - job.since_min));
   if (crew.spec->pay == scenarios::CrewPay::busy)
     costs_->book(job.heading, member_min * crew.spec->rate_per_min);
   if (trace_ != nullptr && now_min > job.since_min)
@@ -207,7 +210,10 @@ void Labour::settle(double now_min) {
 
 void Labour::reset_counts(double now_min) {
   settle(now_min);
-  for (Crew& crew : crews_) crew.busy_min = 0;
+  for (Crew& crew : crews_) {
+    crew.busy_min = 0;
+    crew.overtime_min = 0;
+  }
 }
 
 double Labour::present_min(std::size_t k, double from_min, double to_min) const {

@@ -84,6 +84,8 @@ class Labour {
   void settle(double now_min);
   /// Member-minutes of work since the last reset.
   [[nodiscard]] double busy_min(std::size_t crew) const { return crews_[crew].busy_min; }
+  /// Of those, minutes after the end of the shift.
+  [[nodiscard]] double overtime_min(std::size_t crew) const { return crews_[crew].overtime_min; }
   /// Member-minutes of presence from `from_min` to `to_min`.
   [[nodiscard]] double present_min(std::size_t crew, double from_min, double to_min) const;
 
@@ -95,6 +97,7 @@ class Labour {
     std::int64_t hands = 0;  // there are, on shift
     std::int64_t hands_in_use = 0;
     double busy_min = 0;
+    double overtime_min = 0;
   };
   struct Call {
     Call(sim::Simulation& sim, const std::vector<std::size_t>& asked, std::int64_t urgency, Cost cost,

@@ -25,6 +25,7 @@ sim::Task<void> Shop::machine_process(MachineUnit& machine) {
   for (;;) {
     Job* const job = co_await wait_for_job(machine);
     machine.job = job;
+    told_idle(machine, *job);
     ++machine.group->in_work;
     co_await process(machine, *job);
     machine.job = nullptr;
@@ -109,6 +110,7 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
   if (group.spec->setup && machine.family != family) co_await set_up(machine, family);
 
   std::int64_t rejected = 0;
+  const std::int64_t defective = job.defects;  // from operations before: the first so many parts of the batch
   for (std::int64_t k = 0; k < job.quantity; ++k) {
     if (k > 0) {
       if (group.working_time && !group.working_time->open(sim_.now())) co_await open_shift(machine);
@@ -124,16 +126,23 @@ sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
     ++machine.parts_done;
     machine.planned_min += operation.main_time_min;
     costs_.book(Cost::operations, operation.cost);
-    if (machine.part_spoiled)
+    const bool had_defect = k < defective;
+    if (machine.part_spoiled) {
       ++rejected;
-    else if (leaves_defect(machine, operation))
+      if (had_defect) --job.defects;
+    } else if (leaves_defect(machine, operation) && !had_defect) {
       ++job.defects;
+    }
   }
   attending.release();
 
   if (rejected > 0) reject(machine, job, rejected);
   if (operation.inspects && job.quantity > 0) {
-    const std::int64_t found = inspect(machine, operation, job);
+    std::int64_t found = 0;
+    if (operation.plan.gauge)
+      found = co_await inspect_with_gauges(machine, operation, job);
+    else
+      found = inspect(machine, operation, job);
     if (found > 0) reject(machine, job, found);
   }
   for (const scenarios::RouteComponent& blank : routes_[job.part][job.step].yields)
@@ -217,6 +226,7 @@ sim::Task<void> Shop::overload(MachineUnit& machine, const operations::Overload&
   }
   for (int k = 0; k < breaks; ++k) {
     ++machine.overload_breaks;
+    machine.missions.add(sim_.now());
     if (!group.spec->overload) continue;
     costs_.book(Cost::damage, group.spec->overload->damage);
     if (machine.overload_stream.uniform() < group.spec->overload->scrap_probability)

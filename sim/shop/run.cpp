@@ -45,8 +45,8 @@ void pool_unattended_intervals(RunResult& result) {
     const std::int64_t intervals = sum_of(k);
     if (intervals == 0) continue;
     const auto sure = sim::wilson_interval(sum_of(k + 1), intervals);
-    result.estimates[k + 2] = {.mean = sure.low, .samples = intervals};
-    result.estimates[k + 3] = {.mean = sure.high, .samples = intervals};
+    result.estimates[k + 2] = {.mean = sure.low, .samples = result.estimates[k + 2].samples};
+    result.estimates[k + 3] = {.mean = sure.high, .samples = result.estimates[k + 3].samples};
   }
 }
 

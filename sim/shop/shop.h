@@ -85,6 +85,15 @@ struct PartCounts {
   double lead_time_min = 0;                ///< sum over parts finished
 };
 
+/// Everything counted about inspections.
+struct InspectionCounts {
+  std::uint64_t defective_rejected = 0;  ///< parts
+  std::uint64_t good_rejected = 0;
+  double time_min = 0;          ///< of the stations, from taking a batch to judging it
+  double planned_time_min = 0;  ///< main times of the same parts
+  double cost = 0;              ///< of the stations' minutes, of the checks and of new gauges
+};
+
 class Shop {
  public:
   /// Builds the shop of a checked scenario. `replication` counts from 0 and picks the random streams. The
@@ -111,6 +120,7 @@ class Shop {
   friend std::vector<KpiInfo> kpi_infos(const scenarios::Scenario& scenario);
   struct Group;
   struct MountedTool;
+  struct GaugeUnit;
   struct ToolPool;
   struct ElementUnit;
   struct MachineUnit;
@@ -120,7 +130,16 @@ class Shop {
   struct Source;
   struct Carrier;
   struct Fleet;
-  struct Movement;  // standstill.cpp
+  struct Movement;  // limits.cpp: who keeps whom waiting
+  [[nodiscard]] std::size_t from_supply() const { return groups_.size(); }
+  [[nodiscard]] std::size_t from_components() const { return groups_.size() + 1; }
+  void build_limits();
+  void told_idle(MachineUnit& machine, const Job& job);
+  void told_blocked(MachineUnit& machine);
+  void reset_limits();
+  void limit_kpis(const KpiSink& sink) const;
+
+  // standstill.cpp
   /// An operation on one group of machines. What every part asks stands first, together: a large plant lives
   /// or dies by the memory it touches.
   struct PlannedOperation {
@@ -163,6 +182,8 @@ class Shop {
   void build_tools();  // tool_setup.cpp
   void build_flow();
   void start();
+
+  void build_quality();  // quality.cpp
 
   // machine.cpp: machines at work
   [[nodiscard]] sim::Task<void> machine_process(MachineUnit& machine);
@@ -240,10 +261,25 @@ class Shop {
   /// Whether the tool breaks in this cut, and whether the part is spoiled by the process, as the plan says.
   [[nodiscard]] static bool breaks(MachineUnit& machine, const PlannedOperation& operation);
   [[nodiscard]] static bool spoils(MachineUnit& machine, const PlannedOperation& operation);
-  [[nodiscard]] static bool leaves_defect(MachineUnit& machine, const PlannedOperation& operation);
+  [[nodiscard]] bool leaves_defect(MachineUnit& machine, const PlannedOperation& operation);
   /// Number of parts of the batch that an inspection rejects; their defects leave the batch with them.
-  [[nodiscard]] static std::int64_t inspect(MachineUnit& machine, const PlannedOperation& operation,
-                                            Job& job);
+  [[nodiscard]] std::int64_t inspect(MachineUnit& machine, const PlannedOperation& operation, Job& job);
+  /// The same with gauges that wear and are replaced.
+  [[nodiscard]] sim::Task<std::int64_t> inspect_with_gauges(MachineUnit& machine,
+                                                            const PlannedOperation& operation, Job& job);
+  struct Verdict {
+    std::int64_t rejected = 0;
+    std::int64_t rejected_defects = 0;  // of them
+  };
+  /// Where no operation of the route says that it leaves defects, the first inspection by a process model
+  /// meets them at the share that its plan assumes.
+  void assume_defects(MachineUnit& machine, const PlannedOperation& operation, Job& job);
+  /// One part of the batch is looked at, or not; whether it was.
+  static bool judge(MachineUnit& machine, const scenarios::Inspection& inspection, bool defective,
+                    Verdict& verdict);
+  /// The verdict on a batch, with lot acceptance; counted.
+  [[nodiscard]] std::int64_t conclude(const MachineUnit& machine, const PlannedOperation& operation, Job& job,
+                                      Verdict verdict);
   /// Takes `quantity` rejected parts out of the batch: to rework, or to scrap.
   void reject(MachineUnit& machine, Job& job, std::int64_t quantity);
 
@@ -300,6 +336,14 @@ class Shop {
   /// Edges in all copies of a tool.
   [[nodiscard]] std::int64_t edges_in_tools(std::size_t tool) const;
   void crew_kpis(const KpiSink& sink) const;
+  // quality.cpp
+  void gauge_kpis(const KpiSink& sink) const;
+  void requirement_kpis(std::size_t part, const KpiSink& sink) const;
+  void reset_quality_counts();
+  // criteria_kpis.cpp
+  void criteria_kpis(const KpiSink& sink) const;
+  /// What the criteria of K205 ask of a run; no part started: none.
+  [[nodiscard]] std::optional<models::k205::SimulationResult> criteria_inputs() const;
   void store_and_transport_kpis(const KpiSink& sink) const;
   [[nodiscard]] double window_min() const {
     return scenario_.simulation.horizon_min - scenario_.simulation.warmup_min;
@@ -328,6 +372,21 @@ class Shop {
   std::vector<StoreUnit*> store_of_;              // by part type
   std::vector<std::unique_ptr<Source>> sources_;  // one per part type
   std::vector<std::unique_ptr<Carrier>> carriers_;
+  /// What a step leaves for good with the parts that the drawing asks for.
+  struct StateAtStep {
+    std::size_t requirement;    // of the part type
+    std::vector<double> value;  // one per machine group that does it
+    std::vector<double> fails;  // probability that a part falls short
+  };
+  struct RequirementCounts {
+    std::uint64_t parts = 0;
+    double mean_value = 0;  // over them
+    double mean_fails = 0;
+  };
+  std::vector<std::vector<std::vector<StateAtStep>>> states_;       // [part][step]; [part] empty: none
+  std::vector<std::vector<RequirementCounts>> requirement_counts_;  // [part][requirement]
+  std::vector<bool> defects_known_;  // by part type: operations of its route say which defects they leave
+  InspectionCounts inspections_;
   std::vector<ToolCounts> tools_;  // one per tool of the scenario
   /// Inserts of one grade, whatever their shape.
   struct Grade {

@@ -14,6 +14,10 @@ namespace verstat::shop {
 
 // Identical machines share one queue of batches.
 struct Shop::Group {
+  struct Limit {
+    std::size_t by;  // group, or what comes behind the groups
+    double minutes = 0;
+  };
   Group(sim::Simulation& sim, const scenarios::Machine& machine, std::size_t group_index)
       : spec(&machine),
         index(group_index),
@@ -27,11 +31,14 @@ struct Shop::Group {
   std::deque<Job*> queue;         // in order of arrival
   std::deque<MachineUnit*> idle;  // machines that wait for work, who waits longest first
   std::vector<const MachineUnit*> machines;
+  std::vector<Limit> blocked_by;  // see limits.cpp
+  std::vector<Limit> starved_of;
   sim::Signal room;                          // the queue has become shorter
   std::vector<std::size_t> unlimited_parts;  // part types that are always available and start here
   std::vector<std::size_t> releases;         // part types whose release waits for this queue to shorten
   bool assembles_unlimited = false;          // one of the unlimited parts starts with an assembly
   bool has_tool = false;
+  bool has_gauge = false;  // that is replaced at its wear limit
   std::size_t next_unlimited = 0;
   std::optional<scenarios::WorkingTime> working_time;
   std::optional<sim::Distribution> loading_time;
@@ -116,6 +123,25 @@ struct Shop::MountedTool {
   sim::RandomStream regrind_stream;
 };
 
+// The gauges of one operation at one machine.
+struct Shop::GaugeUnit {
+  const PlannedOperation* operation;
+  [[nodiscard]] const operations::GaugeWear& spec() const { return *operation->plan.gauge; }
+  [[nodiscard]] double worn() const {
+    return start + static_cast<double>(checks_of_this_one) * spec().wear_per_check;
+  }
+  double start = 0;  // share worn off when these gauges came
+  std::uint64_t checks_of_this_one = 0;
+  // Since the end of the warm-up.
+  std::uint64_t checks = 0;
+  std::uint64_t changes = 0;
+  double worn_sum = 0;  // over the checks
+  std::uint64_t good = 0;
+  std::uint64_t good_rejected = 0;
+  std::uint64_t defective = 0;
+  std::uint64_t defective_accepted = 0;
+};
+
 // A failure mode or a maintenance job of one machine.
 struct Shop::Stop {
   Stop(std::uint64_t seed, const std::string& entity, std::uint64_t replication)
@@ -163,6 +189,8 @@ struct Shop::MachineUnit {
   Group* group;
   std::size_t index;  // among all machines
   std::vector<std::unique_ptr<Stop>> stops;
+  std::vector<GaugeUnit> gauges;
+  IntervalCount missions;                           // windows with failures, for the criteria of efficiency
   std::vector<std::unique_ptr<MountedTool>> tools;  // by name, the same on every machine of the group
   Job* job = nullptr;                               // in work
   bool has_joiners = false;                         // a tool whose strategy uses other stops
@@ -180,6 +208,8 @@ struct Shop::MachineUnit {
   StateClock clock;
   sim::Store<Job*> inbox;  // a batch handed over to an idle machine
   std::optional<std::size_t> family;
+  double idle_told_min = 0;  // of the idle and blocked minutes, those of which it is told who caused them
+  double blocked_told_min = 0;
   Place waits_for;  // when it is blocked; nowhere: on a conveyor that is full
   std::uint64_t parts_rejected = 0;
   std::uint64_t setups = 0;

@@ -98,6 +98,7 @@ sim::Task<void> Shop::stand_still(MachineUnit& machine, Stop& stop, MountedTool*
   ++stop.count;
   if (failed) {
     ++machine.failures;
+    machine.missions.add(sim_.now());
     costs_.book(Cost::damage, stop.failure->damage);
     if (stop.failure->scrap_probability > 0 && stop.scrap_stream.uniform() < stop.failure->scrap_probability)
       machine.part_spoiled = true;

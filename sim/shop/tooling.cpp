@@ -151,6 +151,7 @@ void Shop::count_change(const MountedTool& tool, bool after_failure) {
   const bool reground_each_time = !tool.spec->regrind.has_value();
   if (after_failure) {
     ++counts.failures;
+    machines_[tool.machine]->missions.add(sim_.now());
     costs_.book(Cost::damage, tool.spec->failure_damage);
     if (reground_each_time) costs_.book(Cost::regrinding, tool.spec->regrind_failure);
   } else {

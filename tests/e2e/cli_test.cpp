@@ -56,6 +56,40 @@ TEST_CASE("what was stored is what was said") {
   CHECK(json::parse(call("runs --json --db " + w.file("a.db")).out)["runs"].size() == 1);
 }
 
+TEST_CASE("a plan that breaks a limit is run, and said on the error stream and in the JSON") {
+  const Workspace w;
+  const std::string rings = "scenarios/gallery/bearing-rings.json";
+  const std::string run = "run " + rings + quick + "--json --db " + w.file("a.db");
+  const std::string line =
+      "warning: /operations/0/process: operation \"turn the raceway\" on \"hard-turning lathe\": feed_mm_rev "
+      "is "
+      "0.3 mm/rev, inside the forbidden band 0.205403 to 0.405206";
+  const Answer warned = call(run);
+  CHECK(warned.exit_code == 0);
+  CHECK(warned.err.find(line) != std::string::npos);
+  const json said = json::parse(warned.out);
+  REQUIRE(said["warnings"].size() == 1);
+  CHECK(said["warnings"][0]["limit"] == "feed_mm_rev");
+  CHECK(said["warnings"][0]["value"] == 0.3);
+  CHECK(said["warnings"][0]["high"].get<double>() > 0.4);
+  const Answer checked = call("validate --json " + rings);
+  CHECK(checked.exit_code == 0);
+  CHECK(checked.err.find(line) != std::string::npos);
+  CHECK(json::parse(checked.out)["warnings"] == said["warnings"]);
+
+  const std::string outside = " --set /operations/0/process/feed_mm_rev=0.15";
+  const Answer kept = call(run + outside);
+  CHECK(kept.err.find("warning") == std::string::npos);
+  CHECK_FALSE(json::parse(kept.out).contains("warnings"));
+  CHECK(json::parse(call("validate --json " + rings + outside).out)["warnings"].empty());
+  // Names from strangers' files do not reach the terminal as they are.
+  const Answer named =
+      call("validate " + rings +
+           R"( --set '/operations/0/name="a\u001b[31mb"' --set '/parts/0/route=["a\u001b[31mb"]')");
+  CHECK(named.err.find("warning") != std::string::npos);
+  CHECK(named.err.find('\x1b') == std::string::npos);
+}
+
 TEST_CASE("malformed and absurd input: one clear line, exit code 2, no database") {
   const Workspace w;
   const std::string db = " --db " + w.file("none.db");
@@ -210,4 +244,14 @@ TEST_CASE("talk goes to standard error without colour when NO_COLOR is set or it
   const Answer a = call("run none.json");
   CHECK(a.err.find('\033') == std::string::npos);
   CHECK(call("--version").out.starts_with("verstat "));
+}
+
+TEST_CASE("the version says what a report needs: the release, the compiler and the platform of the bits") {
+  const std::string text = call("--version").out;
+  CHECK(std::count(text.begin(), text.end(), '\n') == 2);
+  for (const char* part :
+       {"\nbuilt by g++ " __VERSION__, "Boost 1_81", "runs on x86-64", "glibc 2.", "SQLite 3."}) {
+    INFO(text);
+    CHECK(text.find(part) != std::string::npos);
+  }
 }

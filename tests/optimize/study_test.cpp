@@ -11,16 +11,15 @@
 #include "optimize/analysis.h"
 #include "optimize/renewal_reward.h"
 #include "sim/kernel/random_stream.h"
+#include "tests/optimize/studies.h"
 
 using namespace verstat;
 using namespace verstat::optimize;
 using nlohmann::json;
 
-namespace {
+using verstat::test::gallery;
 
-json gallery(const std::string& name) {
-  return scenarios::read_json_file(VERSTAT_SOURCE_DIR "/scenarios/gallery/" + name);
-}
+namespace {
 
 double long_run_cost(const json& scenario, const std::vector<std::string>& changes) {
   std::vector<scenarios::Change> all;
@@ -29,21 +28,7 @@ double long_run_cost(const json& scenario, const std::vector<std::string>& chang
   return LongRunModel(s).cost_per_part();
 }
 
-// Stage one of a study, in memory.
-struct Analytic {
-  StudySpec study;
-  std::unique_ptr<Problem> problem;
-  StudyAnswer answer;
-  std::int64_t trials = 0;
-
-  Analytic(const json& study_text, const json& scenario) : study(load_study(study_text)) {
-    problem = std::make_unique<Problem>(study, scenarios::apply(scenario, fixed_changes(study)));
-    check_study(*problem);
-    Ledger ledger;
-    answer = run_study(*problem, ledger, {});
-    trials = ledger.computed();
-  }
-};
+using Analytic = verstat::test::Studied;
 
 }  // namespace
 
@@ -382,10 +367,10 @@ TEST_CASE(
 
 TEST_CASE(
     "a shop whose machines fail is optimized by simulation alone, near the optimum of one whose do not") {
-  // Failures in operating time cost the same share of every minute: the best regime moves little.
+  // Failures that come with parts, not with minutes, cost every part the same: the best regime moves little.
   json text = gallery("heavy-lathe.study.json");
   text["changes"] = json::parse(R"([
-    {"pointer": "/machines/0/failures", "value": [{"name": "spindle", "time_to_failure": {"kind": "exponential", "rate_per_min": 0.0005},
+    {"pointer": "/machines/0/failures", "value": [{"name": "spindle", "clock": "parts", "time_to_failure": {"kind": "exponential", "rate_per_min": 0.013},
                                                    "repair": {"kind": "constant", "value_min": 120}}]},
     {"pointer": "/simulation/horizon_min", "value": 30000}, {"pointer": "/simulation/warmup_min", "value": 0}])");
   const json scenario = gallery("heavy-lathe.json");
@@ -393,7 +378,7 @@ TEST_CASE(
   const json changed = scenarios::apply(scenario, fixed_changes(blind));
   Problem refused(blind, changed);
   CHECK_THROWS_WITH(check_study(refused),
-                    Catch::Contains("/simulation/trials = 0, but /machines/0/failures"));
+                    Catch::Contains("/simulation/trials = 0, but /machines/0/failures/0/clock"));
   text["simulation"] = {{"trials", 80}, {"first_replications", 4}, {"levels", 2}, {"neighbourhood", 0.4}};
   const StudySpec study = load_study(text);
   Problem problem(study, changed);
@@ -407,7 +392,7 @@ TEST_CASE(
   CHECK_FALSE(answer.analytic);
   CHECK(answer.best->x[1] == Approx(46.97).margin(4));
   CHECK(ledger.computed() <= 120);
-  // In this cell a lathe loses 0.0005 x 120 = 6 % of its working time, which costs its rate.
+  // A part carries 0.013 x 120 min of repair, which costs the rate of the lathe: 5 UAH.
   CHECK(answer.best->value > 125.41);
   CHECK(answer.best->value < 125.41 * 1.08);
 }

@@ -28,7 +28,7 @@ TEST_CASE("lead times: the phases add up to the whole", "[shop][flow]") {
   }
 }
 
-TEST_CASE("two machines with a buffer of b between them are an M/M/1/(b+3) queue", "[shop][flow]") {
+TEST_CASE("two machines with a buffer of b between them are an M/M/1/(b+3) queue", "[shop][flow][long]") {
   // Exponential times of the same mean, blocking after service: the second machine starves with probability
   // 1 / (b + 3); throughput (b + 2) / (b + 3).
   for (const int buffer : {0, 2}) {
@@ -45,7 +45,7 @@ TEST_CASE("two machines with a buffer of b between them are an M/M/1/(b+3) queue
   }
 }
 
-TEST_CASE("CONWIP with n batches over two equal machines: mean-value analysis", "[shop][flow]") {
+TEST_CASE("CONWIP with n batches over two equal machines: mean-value analysis", "[shop][flow][long]") {
   for (const int cap : {1, 4}) {
     json shop = small_shop(always(), exponential(1));
     shop["machines"].push_back({{"name", "n"}});
@@ -275,4 +275,44 @@ TEST_CASE("stores: customers take parts, a full store blocks", "[shop][flow]") {
   check_truth(result, "store/s/fill_rate", 1 - 1.0 / 6, 0.02);
   check_truth(result, "machine/m/state/blocked", 1.0 / 6, 0.05);
   check_audit(shop);
+}
+
+TEST_CASE("a slow machine starves the one behind it and blocks the one before it", "[shop]") {
+  json shop = small_shop(always(), constant(1));
+  shop["machines"] = {
+      {{"name", "a"}}, {{"name", "slow"}, {"queue_capacity", 1}}, {{"name", "c"}, {"queue_capacity", 1}}};
+  shop["operations"].clear();
+  for (const auto& [name, time_min] : {std::pair{"a", 1.0}, {"slow", 4.0}, {"c", 1.0}})
+    shop["operations"].push_back(
+        {{"name", name}, {"machine", name}, {"process", duration_process(constant(time_min))}});
+  shop["parts"][0]["route"] = {"a", "slow", "c"};
+  const auto result = run(shop);
+  CHECK(*kpi(result, "limits/a/blocked_by/slow").mean == Approx(0.75).epsilon(1e-3));
+  CHECK(*kpi(result, "limits/c/starved_by/slow").mean == Approx(0.75).epsilon(1e-3));
+  CHECK(*kpi(result, "limits/slow/starved_by/a").mean == Approx(0).margin(1e-3));
+  CHECK(*kpi(result, "limits/slow/blocked_by/c").mean == 0);
+  CHECK(*kpi(result, "limits/a/starved_by/(supply)").mean == 0);
+}
+
+TEST_CASE("crew states sum to the calendar time, jobs after the shift are overtime", "[shop]") {
+  // One attended machine, parts of 50 min, shifts of eight hours from midnight, the last part is finished.
+  json shop = small_shop(always(), constant(50));
+  shop["calendars"] = {
+      {{"name", "day"},
+       {"shifts",
+        {{{"days", {"monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday"}},
+          {"from_h", 0},
+          {"to_h", 8}}}}}};
+  shop["crews"] = {{{"name", "operator"}, {"calendar", "day"}}};
+  shop["machines"][0]["attendance"] = {{"crew", "operator"}, {"during", "always"}};
+  shop["machines"][0]["calendar"] = "day";
+  shop["machines"][0]["part_at_shift_end"] = "finish";
+  shop["simulation"]["horizon_min"] = 144'000;
+  shop["simulation"]["warmup_min"] = 0;
+  const auto result = run(shop);
+  // Ten parts of 50 min a day: eight hours and twenty minutes.
+  CHECK(*kpi(result, "crew/operator/state/working").mean == Approx(480.0 / 1440));
+  CHECK(*kpi(result, "crew/operator/state/overtime").mean == Approx(20.0 / 1440));
+  CHECK(*kpi(result, "crew/operator/state/free").mean == Approx(0).margin(1e-12));
+  CHECK(*kpi(result, "crew/operator/state/off_shift").mean == Approx(940.0 / 1440));
 }

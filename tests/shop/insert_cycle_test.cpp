@@ -40,7 +40,7 @@ double mean_of(const shop::RunResult& run, const std::string& kpi) {
 
 }  // namespace
 
-TEST_CASE("insert-cycle availability is K_r of K117, run to failure and scheduled") {
+TEST_CASE("insert-cycle availability is K_r of K117, run to failure and scheduled", "[long]") {
   struct Case {
     const char* strategy;
     double age_min;  // of an edge with mean life 60 min
@@ -78,7 +78,8 @@ TEST_CASE("insert-cycle availability is K_r of K117, run to failure and schedule
   }
 }
 
-TEST_CASE("with one setter for two lathes availability falls, and the loss is the waiting for the setter") {
+TEST_CASE("with one setter for two lathes availability falls, and the loss is the waiting for the setter",
+          "[long]") {
   const auto alone = run_cell({});
   const auto shared = run_cell({"/crews/0/members=1"});
   const auto difference =
@@ -93,7 +94,7 @@ TEST_CASE("with one setter for two lathes availability falls, and the loss is th
   CHECK(a / (1 - w) == Approx(mean_of(alone, "tool/roughing tool/insert_cycle_availability")).epsilon(0.005));
 }
 
-TEST_CASE("simulated cost per part of every strategy is K117.part_cost") {
+TEST_CASE("simulated cost per part of every strategy is K117.part_cost", "[long]") {
   using models::k117::Strategy;
   struct Case {
     const char* name;

@@ -1,6 +1,7 @@
 // Hidden defects, inspections, rework.
 #include "tests/shop/small_shop.h"
 
+using namespace verstat;
 using namespace verstat::test;
 
 namespace {
@@ -46,7 +47,7 @@ TEST_CASE("a lot with more rejects than allowed is rejected as a whole", "[shop]
   check_audit(shop);
 }
 
-TEST_CASE("rework sends rejected parts back, so often and no more", "[shop][quality]") {
+TEST_CASE("rework sends rejected parts back, so often and no more", "[shop][quality][long]") {
   json shop = inspected(json::object());
   shop["parts"][0].erase("route");
   shop["parts"][0]["steps"] = {
@@ -70,4 +71,52 @@ TEST_CASE("defects grow with the wear of the edge", "[shop][quality]") {
   // Changed earlier, fewer escape.
   shop["tools"][0]["strategy"]["gamma"] = 0.95;
   CHECK(mean(run(shop), "part/shaft/escape_ratio") < 0.7 * mean(worn, "part/shaft/escape_ratio"));
+}
+
+TEST_CASE("a part has a defect or has none, however many operations leave some", "[shop][quality]") {
+  json shop = inspected({{"sensitivity", 0.0}});
+  shop["operations"][0]["quality"] = {{"defect_probability", 0.6}};
+  shop["operations"][1]["quality"] = {{"defect_probability", 0.5}, {"scrap_probability", 0.2}};
+  for (const int batch : {1, 7}) {
+    shop["parts"][0]["batch_size"] = batch;
+    const auto r = run(shop);
+    check_truth(r, "part/p/escape_ratio", 1 - 0.4 * 0.5, 0.02);
+    check_truth(r, "quality_ratio", 0.8, 0.02);
+    check_audit(shop);
+  }
+}
+
+TEST_CASE("an inspection by its model judges the defects that come, or those that its plan assumes",
+          "[shop][quality][K205]") {
+  json shop = inspected(json::object());
+  shop["operations"][1].erase("inspection");
+  shop["operations"][1]["process"] =
+      scenarios::read_json_file(VERSTAT_SOURCE_DIR "/scenarios/gallery/operations/inspection.json")
+          .at("process");
+  const auto s = scenarios::load(shop);
+  const auto plan = scenarios::plan(s, s.operations[1]);
+  const auto d = *plan.detection;
+  const auto judged = [&](double share) {
+    const auto r = run(shop);
+    check_truth(r, "quality_ratio", 1 - (share * d.sensitivity + (1 - share) * (1 - d.specificity)), 0.01);
+    check_truth(r, "part/p/escape_ratio",
+                share * (1 - d.sensitivity) / (share * (1 - d.sensitivity) + (1 - share) * d.specificity),
+                0.05);
+  };
+  judged(0.1);
+  shop["operations"][0].erase("quality");  // nobody says what comes
+  judged(d.defective_share);
+  CHECK(1 - mean(run(shop), "quality_ratio") == Approx(plan.scrap_probability).epsilon(0.02));
+  // A second inspection finds a part of what the first one let through, and assumes nothing more.
+  json second = shop["operations"][1];
+  second["name"] = "look again";
+  shop["machines"].push_back({{"name", "desk 2"}});
+  second["machine"] = "desk 2";
+  shop["operations"].push_back(second);
+  shop["parts"][0]["route"] = {"o", "look", "look again"};
+  const double missed = d.defective_share * std::pow(1 - d.sensitivity, 2);
+  const double good = (1 - d.defective_share) * std::pow(d.specificity, 2);
+  const auto twice = run(shop);
+  check_truth(twice, "quality_ratio", missed + good, 0.01);
+  check_truth(twice, "part/p/escape_ratio", missed / (missed + good), 0.1);
 }

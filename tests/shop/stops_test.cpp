@@ -81,7 +81,7 @@ TEST_CASE("one repairer for three machines: the machine-repair model", "[shop][s
 }
 
 TEST_CASE("the gallery's repair service is K409's machine-repair queue, paid from its wage fund",
-          "[shop][stops]") {
+          "[shop][stops][long]") {
   json shop = scenarios_of("repair-service");
   shop["simulation"] = {
       {"horizon_min", 1'050'000}, {"warmup_min", 50'000}, {"replications", 10}, {"seed", "3"}};

@@ -8,7 +8,7 @@
 using namespace verstat;
 using namespace verstat::test;
 
-TEST_CASE("condition-based changes: use and failures are those of the delay-time integral") {
+TEST_CASE("condition-based changes: use and failures are those of the delay-time integral", "[long]") {
   // An edge of life X shows its wear from share * X on; looks at multiples of the interval notice it with
   // probability p, so it fails with (1-p)^n, n the looks between the first sign and the failure.
   struct Case {
@@ -240,7 +240,7 @@ TEST_CASE("sorted inserts live as K119 says and cost what the rejected ones add"
   check_meets(run, "cost/inserts", price / 3 * cell_part_min / accepted.mean_accepted_min);
 }
 
-TEST_CASE("certified lots: mean life of the accepted is the selection integral") {
+TEST_CASE("certified lots: mean life of the accepted is the selection integral", "[long]") {
   // With normal scores, E[exp(sz - s^2/2) | x > c] = Phi(rho s - c) / (1 - p).
   constexpr double s = 0.4, p = 0.25, within = 0.35, correlation = 0.95;
   constexpr int n = 5;

@@ -79,7 +79,7 @@ TEST_CASE("a mill pulled at m failed teeth or at an age costs what K109.policy_c
   }
 }
 
-TEST_CASE("the mean time to the m-th failure under load is (C7) of K109") {
+TEST_CASE("the mean time to the m-th failure under load is (C7) of K109", "[long]") {
   for (const double alpha : {0.0, 1.0, 2.0}) {
     INFO("alpha " << alpha);
     const auto run =
@@ -173,7 +173,7 @@ TEST_CASE("a mill of one tooth is the single tool, bit for bit") {
   CHECK(run_cell(mill).values == run_cell(age).values);
 }
 
-TEST_CASE("the shop follows the teeth of a face-milling operation, not its mean mill") {
+TEST_CASE("the shop follows the teeth of a face-milling operation, not its mean mill", "[long]") {
   // The plan of the operation gives the life of the mill to its fourth failure and the mean slowdown; a tool
   // of ten teeth plays the same through. Both are exact for equal sharing, so they meet.
   const auto gallery =

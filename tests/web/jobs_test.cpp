@@ -244,6 +244,30 @@ TEST_CASE("a read-only server computes but starts and stores nothing") {
           .status == 200);
 }
 
+TEST_CASE("a run says which limits its shop breaks, when asked") {
+  const Serving serving;
+  store::Run run = example_run(1);
+  run.scenario_text = scenarios::read_text_file(VERSTAT_SOURCE_DIR "/scenarios/gallery/bearing-rings.json");
+  const auto stored = [&](const char* changes) {
+    run.header.changes = changes;
+    return store::Writer(serving.file()).add_run(run);
+  };
+  const auto breaking = stored("[]");
+  const auto keeping = stored(R"([{"pointer": "/operations/0/process/feed_mm_rev", "value": 0.15}])");
+  const auto warned = [&](std::int64_t id) {
+    return serving.get(fmt::format("/api/v1/runs/{}?warnings=1", id)).parsed()["warnings"];
+  };
+  REQUIRE(warned(breaking).size() == 1);
+  CHECK(warned(breaking)[0]["limit"] == "feed_mm_rev");
+  CHECK(warned(breaking)[0]["text"].get<std::string>().find("forbidden band") != std::string::npos);
+  CHECK(warned(keeping).empty());
+  CHECK(warned(1).empty());  // a scenario that this version does not read
+  CHECK_FALSE(serving.get(fmt::format("/api/v1/runs/{}", breaking)).parsed().contains("warnings"));
+  const json scenario = json::parse(run.scenario_text);
+  const json checked = serving.post("/api/v1/check", json{{"scenario", scenario}}.dump()).parsed();
+  CHECK(checked["warnings"] == warned(breaking));
+}
+
 TEST_CASE("notes and tags are kept, found and listed") {
   const Serving serving({}, "", "true");
   const auto put = [&](const std::string& target, const std::string& body) {

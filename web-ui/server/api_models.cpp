@@ -11,6 +11,7 @@
 #include "scenarios/model_json.h"
 #include "scenarios/plan_json.h"
 #include "scenarios/schema.h"
+#include "scenarios/warnings.h"
 #include "web-ui/server/api_handlers.h"
 #include "web-ui/server/api_support.h"
 
@@ -286,6 +287,7 @@ Response check_scenario(const Call& call) {
   }
   ordered_json answer = {{"valid", true}, {"name", scenario.name}};
   answer["operations"] = std::move(plans);
+  answer["warnings"] = scenarios::to_json(scenarios::warnings(scenario));
   return json_response(answer);
 }
 

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 
 #include "scenarios/function_json.h"
+#include "scenarios/load.h"
+#include "scenarios/warnings.h"
 #include "store/database.h"
 #include "store/listing.h"
 #include "store/notes.h"
@@ -16,6 +18,7 @@ namespace verstat::web {
 
 using nlohmann::json;
 using nlohmann::ordered_json;
+using store::number_or_null;
 
 namespace {
 
@@ -44,10 +47,6 @@ void put(ordered_json& row, const std::map<std::int64_t, store::Annotation>& all
   const auto found = all.find(id);
   row["note"] = found == all.end() ? "" : found->second.note;
   row["tags"] = found == all.end() ? std::vector<std::string>{} : found->second.tags;
-}
-
-ordered_json number_or_null(const std::optional<double>& value) {
-  return value ? ordered_json(*value) : ordered_json(nullptr);
 }
 
 ordered_json kpi_json(const store::KpiSummary& k) {
@@ -115,17 +114,37 @@ Response list_runs(const Call& call) {
   return json_response(body);
 }
 
+namespace {
+
+// What the run should not have been made with, from the scenario that is stored with it. One that this
+// version no longer reads has none.
+ordered_json warnings_of(const store::Run& run) {
+  try {
+    std::vector<scenarios::Change> changes;
+    for (const json& change : scenarios::parse_json(run.header.changes))
+      changes.push_back({change.at("pointer").get<std::string>(), change.at("value")});
+    return scenarios::to_json(scenarios::warnings(
+        scenarios::load(scenarios::apply(scenarios::parse_json(run.scenario_text), changes))));
+  } catch (const std::exception&) {
+    return ordered_json::array();
+  }
+}
+
+}  // namespace
+
 Response show_run(const Call& call) {
-  check_query(call.target, {"replications", "format", "separator", "decimal", "notes"});
+  check_query(call.target, {"replications", "format", "separator", "decimal", "notes", "warnings"});
   const std::int64_t id = id_of("run", call.parameters[0]);
   const bool csv = word(call.target, "format", {"json", "csv"}) == "csv";
   const bool replications = word(call.target, "replications", {"0", "1"}) == "1";
   const bool notes = word(call.target, "notes", {"0", "1"}) == "1";
+  const bool warnings = word(call.target, "warnings", {"0", "1"}) == "1";
   const CsvFormat format = csv_format(call.target);
   const auto found = store::Reader(call.database).run(id, replications);
   if (!found) throw Refused{404, fmt::format("there is no run {}", id)};
   if (csv) return csv_response(kpi_table(*found, format), fmt::format("run-{}.csv", id));
   ordered_json body = store::to_json(*found, replications);
+  if (warnings) body["warnings"] = warnings_of(*found);
   if (notes) put(body, store::Notes(call.database).of(store::Subject::run, {id}), id);
   return json_response(body);
 }

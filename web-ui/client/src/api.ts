@@ -129,7 +129,7 @@ export const api = {
   version: (signal?: AbortSignal) => get<Version>('version', signal),
   runs: (options: ListOptions, signal?: AbortSignal) => get<RunPage>(`runs?${listQuery(options, { kpis: 'cost_per_part,throughput_per_h' })}`, signal),
   run: (id: string, replications: boolean, signal?: AbortSignal) =>
-    get<Run>(`runs/${encodeURIComponent(id)}?notes=1${replications ? '&replications=1' : ''}`, signal),
+    get<Run>(`runs/${encodeURIComponent(id)}?notes=1&warnings=1${replications ? '&replications=1' : ''}`, signal),
   runScenario: (id: string, signal?: AbortSignal) => get<RunScenario>(`runs/${encodeURIComponent(id)}/scenario`, signal),
   studies: (options: ListOptions, signal?: AbortSignal) => get<StudyPage>(`studies?${listQuery(options)}`, signal),
   /** Without its trials. */

@@ -42,9 +42,22 @@ export interface RunHeader extends Partial<Annotation> {
   currency?: string;
 }
 
+/** A limit that an operation breaks, or a drawing that is not met. */
+export interface Warning {
+  pointer: string;
+  operation: string;
+  machine: string;
+  limit: string;
+  value: number;
+  low: number;
+  high: number;
+  text: string;
+}
+
 export interface Run extends RunHeader {
   currency: string;
   kpis: Kpi[];
+  warnings?: Warning[];
 }
 
 export interface StudyHeader extends Partial<Annotation> {
@@ -276,6 +289,7 @@ export interface CheckResult {
   valid: boolean;
   name: string;
   operations: { operation: string; main_time_min?: number; feasible?: boolean; error?: string }[];
+  warnings?: Warning[];
 }
 
 export interface Job {

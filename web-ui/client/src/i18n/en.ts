@@ -69,6 +69,7 @@ export const en = {
   'run.facts': '{replications} replications of {time} min after {warmup} min of warm-up, seed {seed}. Intervals are 95 %.',
   'run.madeBy': 'Made {created} by Verstat {version} on {platform}.',
   'run.changes': 'Changes against the scenario file',
+  'run.warnings': 'This shop breaks limits: its figures hold only if that is possible at all.',
   'run.time': 'Where each machine’s time went',
   'run.timeUnit': '% of the counted time',
   'run.tools': 'Tool ledger',

@@ -71,6 +71,7 @@ export const uk: Record<Key, string> = {
   'run.facts': 'Повторень: {replications} по {time} хв після розігріву {warmup} хв, зерно {seed}. Довірчі інтервали 95 %.',
   'run.madeBy': 'Зроблено {created}, Verstat {version}, {platform}.',
   'run.changes': 'Зміни відносно файлу сценарію',
+  'run.warnings': 'Цей цех порушує обмеження: його показники правдиві, лише якщо так узагалі можна працювати.',
   'run.time': 'На що пішов час кожного верстата',
   'run.timeUnit': '% врахованого часу',
   'run.tools': 'Облік інструменту',

@@ -262,6 +262,9 @@ export const runPage: PageMaker = async (context, [id = '']) => {
         : null,
       h('p', { class: 'row no-print' }, h('a', { href: `#/scenario/run/${run.id}`, class: 'button' }, t('run.change')), h('a', { href: `#/sheet/${run.id}` }, t('sheet.title')), h('a', { href: `#/trace/${run.id}` }, t('nav.trace')), version.read_only ? null : againSection(context, run)),
       annotationEditor('runs', run.id, run, version.read_only),
+      run.warnings && run.warnings.length > 0
+        ? h('div', { class: 'warn', id: 'run-warnings' }, h('p', {}, t('run.warnings')), h('ul', {}, run.warnings.map((w) => h('li', {}, w.text))))
+        : null,
       standstillWarning(run),
       tiles(run),
       h('div', { class: 'columns' }, timeSection(context, run), toolSection(run)),
