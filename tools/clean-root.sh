@@ -12,6 +12,12 @@ inside() {
 }
 
 mirror="$(sed -n 's/^URIs: *//p; s/^deb \([^[ ]*\) .*/\1/p' /etc/apt/sources.list /etc/apt/sources.list.d/debian.sources 2> /dev/null | head -n 1 || true)"
+take_root() {
+  # The installer of Debian writes this file, debootstrap does not.
+  printf '127.0.0.1 localhost\n::1 localhost\n' > "$root/etc/hosts"
+  mkdir -p "$root/dev/shm"
+  mount -t tmpfs tmpfs "$root/dev/shm"
+}
 make_root() {
   debootstrap --variant=minbase bookworm "$root" "${mirror:-http://deb.debian.org/debian}"
   # The machine's way to packages: its mirrors, its proxies, its certificates; nothing that is installed on it.
@@ -27,8 +33,7 @@ make_root() {
     mkdir -p "$root/usr/local/share/ca-certificates"
     cp /usr/local/share/ca-certificates/*.crt "$root/usr/local/share/ca-certificates/"
   fi
-  mkdir -p "$root/dev/shm"
-  mount -t tmpfs tmpfs "$root/dev/shm"
+  take_root
 }
 # Leaves nothing mounted; false when something would not let go, and the root must then not be removed.
 leave_root() {
