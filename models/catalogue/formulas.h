@@ -5,8 +5,8 @@
 
 namespace verstat::models {
 
-/// The comment before the declaration of the function with this key ("K307.gauge_outer_span"), in one line; empty
-/// when there is no such function.
+/// The comment before the declaration of the function with this key ("K307.gauge_outer_span"), in one line;
+/// empty when there is no such function.
 [[nodiscard]] std::string_view formula_of(std::string_view key);
 
 }  // namespace verstat::models
