@@ -75,6 +75,54 @@ void plant_of(benchmark::State& state) {
       benchmark::Counter(events * 1e-9, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
   state.counters["bytes_per_machine"] = (resident_bytes() - before) / static_cast<double>(state.range(0));
 }
+// 20 stations of three machines, 40 tools, 8 crews and 30 part types with routes of five steps, for one year.
+json year() {
+  json shop = plant(20);
+  shop["simulation"] = {{"horizon_min", 525'600}, {"replications", 1}, {"max_events", 1'000'000'000}};
+  shop["crews"].clear();
+  for (int c = 0; c < 8; ++c)
+    shop["crews"].push_back({{"name", "crew " + std::to_string(c)}, {"members", 2}});
+  const json process = shop["operations"][0]["process"];
+  shop["tools"].clear();
+  shop["operations"].clear();
+  shop["parts"].clear();
+  for (int m = 0; m < 20; ++m) {
+    json& machine = shop["machines"][static_cast<std::size_t>(m)];
+    machine["count"] = 3;
+    machine["failures"][0]["crew"] = "crew " + std::to_string(m % 8);
+    for (int t = 0; t < 2; ++t) {
+      const std::string id = std::to_string(m) + "." + std::to_string(t);
+      shop["tools"].push_back(
+          {{"name", "t" + id}, {"insert", "i"}, {"crew", "crew " + std::to_string((m + t) % 8)}});
+      shop["operations"].push_back(
+          {{"name", "o" + id}, {"machine", machine["name"]}, {"tool", "t" + id}, {"process", process}});
+    }
+  }
+  for (int p = 0; p < 30; ++p) {
+    json part = {
+        {"name", "p" + std::to_string(p)},
+        {"store", "s"},
+        {"supply", {{"kind", "interarrival"}, {"time", {{"kind", "exponential"}, {"rate_per_min", 0.1}}}}}};
+    for (int k = 0; k < 5; ++k)
+      part["route"].push_back("o" + std::to_string((p + 7 * k) % 20) + "." + std::to_string(p % 2));
+    shop["parts"].push_back(part);
+  }
+  return shop;
+}
+
+void year_of_a_shop(benchmark::State& state) {
+  const auto scenario = verstat::scenarios::load(year());
+  double events = 0;
+  for (auto _ : state) {
+    verstat::shop::Shop shop(scenario, 0);
+    benchmark::DoNotOptimize(shop.run());
+    events += static_cast<double>(shop.events_executed());
+  }
+  state.counters["events"] = events;
+  state.counters["events_per_s"] = benchmark::Counter(events, benchmark::Counter::kIsRate);
+}
+BENCHMARK(year_of_a_shop)->Unit(benchmark::kSecond)->Iterations(1);
+
 BENCHMARK(plant_of)->Arg(20)->Arg(200)->Arg(2000)->Unit(benchmark::kMillisecond);
 
 }  // namespace
