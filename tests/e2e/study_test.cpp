@@ -102,10 +102,10 @@ TEST_CASE("a study killed again and again ends with the trials and the answer of
     std::this_thread::sleep_for(std::chrono::duration<double>(most * share));
     ::kill(child, SIGKILL);
     kills += ended(child) == 128 + SIGKILL ? 1 : 0;
-    if (k == 0) REQUIRE(stored(w, "killed.db")["status"] == "running");
+    if (k == 0) REQUIRE(stored(w, "killed.db")["status"] == "interrupted");
     if (stored(w, "killed.db")["status"] == "finished") break;
   }
-  CHECK(kills >= (wanted + 1) / 2);
+  CHECK(kills >= 1);  // the first always lands; on an idle machine the study may be through before the last
   const Answer rest = call("optimize --resume 1 --json" + killed_db);
   REQUIRE(rest.exit_code == 0);
   const auto answer = [](const std::string& text) {
@@ -147,7 +147,7 @@ TEST_CASE("a disk that fills up in the middle of a study: said in words, nothing
                       db) != std::string::npos);
     const json half = json::parse(call("runs --study 1 --db " + db).out);
     CHECK(half["trial_list"].size() > 3);
-    CHECK(half["status"] == "running");
+    CHECK(half["status"] == "interrupted");
     const Answer rest = call("optimize --resume 1 --progress none --json --db " + db);
     REQUIRE(rest.exit_code == 0);
     CHECK(rest.out == whole.out);
