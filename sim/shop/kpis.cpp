@@ -3,10 +3,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <new>
 
 #include <fmt/format.h>
 
+#include "sim/kernel/errors.h"
 #include "sim/shop/shop_parts.h"
 
 namespace verstat::shop {
@@ -543,7 +545,15 @@ std::vector<std::optional<double>> Shop::run() {
   settle();
   book_totals();
   std::vector<std::optional<double>> values;
-  each_kpi([&](KpiInfo, std::optional<double> value) { values.push_back(value); });
+  each_kpi([&](const KpiInfo& info, std::optional<double> value) {
+    // Beyond this squares overflow, and with them every interval.
+    if (value && !(std::abs(*value) < 1e150))
+      throw sim::BudgetError(
+          fmt::format("replication {}: {} = {}, more than can be counted: prices, times or "
+                      "life periods of the scenario are too large or too small",
+                      replication_, info.name, *value));
+    values.push_back(value);
+  });
   return values;
 }
 

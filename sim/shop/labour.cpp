@@ -172,7 +172,20 @@ void Labour::serve() {
   }
 }
 
+void Labour::away(std::size_t machine, bool now_away) {
+  if (machine >= jobs_at_.size() || jobs_at_[machine] == 0) return;
+  for (Job& job : jobs_)
+    if (job.active && job.machine == machine) {
+      book(job, sim_->now());
+      job.away = now_away;
+    }
+}
+
 void Labour::book(Job& job, double now_min) {
+  if (job.away) {
+    job.since_min = now_min;
+    return;
+  }
   Crew& crew = crews_[job.crew];
   const double member_min = (now_min - job.since_min) * static_cast<double>(job.hands) /
                             static_cast<double>(crew.spec->machines_per_member);

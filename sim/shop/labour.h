@@ -64,6 +64,11 @@ class Labour {
   /// Whether a member of one of the crews is at the machine.
   [[nodiscard]] bool present(std::size_t machine, const std::vector<std::size_t>& crews) const;
 
+  /// The shift of the machine ends with a part in it: whoever tends it goes home and comes back to it. What
+  /// was done up to now is booked; the hands stay promised to the machine.
+  void leave(std::size_t machine) { away(machine, true); }
+  void come_back(std::size_t machine) { away(machine, false); }
+
   /// A machine that keeps a member of one crew while it waits for another.
   struct Wait {
     std::size_t machine;
@@ -117,6 +122,7 @@ class Labour {
     std::size_t machine = nowhere;
     double since_min = 0;
     bool active = false;
+    bool away = false;
   };
   [[nodiscard]] sim::Task<void> shifts(std::size_t crew);
   [[nodiscard]] std::int64_t hands_needed(std::size_t crew, Hands hands) const;
@@ -125,6 +131,7 @@ class Labour {
   void book(Job& job, double now_min);
   void finish(std::size_t job) noexcept;
   void serve();
+  void away(std::size_t machine, bool now_away);
   void look_for_standstill(const Call& latest) const;
 
   sim::Simulation* sim_;

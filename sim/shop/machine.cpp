@@ -88,8 +88,10 @@ sim::Task<Job*> Shop::wait_for_job(MachineUnit& machine) {
 // Outside the calendar until the next shift begins, which may start with warming up.
 sim::Task<void> Shop::open_shift(MachineUnit& machine) {
   enter(machine, MachineState::off_shift);
+  labour_->leave(machine.index);
   const double opens_min = machine.group->working_time->next_change_min(sim_.now());
   co_await sim_.delay(opens_min - sim_.now());
+  labour_->come_back(machine.index);
   if (machine.group->warm_up_time) {
     const double warm_up_min = machine.group->warm_up_time->sample(machine.setup_stream);
     co_await spend(machine, MachineState::warm_up, warm_up_min);

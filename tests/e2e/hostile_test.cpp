@@ -266,3 +266,9 @@ TEST_CASE("JSON without end and without bottom") {
   CHECK(endless.exit_code == 2);
   CHECK_THAT(endless.err, Catch::Contains("is larger than 64 MiB"));
 }
+
+TEST_CASE("money beyond counting ends with the name of the KPI, nothing is stored") {
+  json shop = json::parse(read_file("scenarios/gallery/heavy-lathe.json"));
+  shop["tools"][0]["periods_planned"] = 1e-300;
+  check_refused(shop, "cost_per_part = ", "--replications 2");
+}

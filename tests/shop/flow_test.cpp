@@ -316,3 +316,25 @@ TEST_CASE("crew states sum to the calendar time, jobs after the shift are overti
   CHECK(*kpi(result, "crew/operator/state/free").mean == Approx(0).margin(1e-12));
   CHECK(*kpi(result, "crew/operator/state/off_shift").mean == Approx(940.0 / 1440));
 }
+
+TEST_CASE("who tends a part that waits for the morning is at home meanwhile", "[shop]") {
+  // Parts of 50 min in shifts of eight hours that pause at the end: nine whole parts and one over two days.
+  json shop = small_shop(always(), constant(50));
+  shop["calendars"] = {
+      {{"name", "day"},
+       {"shifts",
+        {{{"days", {"monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday"}},
+          {"from_h", 0},
+          {"to_h", 8}}}}}};
+  shop["crews"] = {{{"name", "operator"}, {"calendar", "day"}, {"rate_per_min", 1}}};
+  shop["machines"][0]["attendance"] = {{"crew", "operator"}, {"during", "always"}};
+  shop["machines"][0]["calendar"] = "day";
+  shop["machines"][0]["part_at_shift_end"] = "pause";
+  shop["simulation"]["horizon_min"] = 144'000;
+  shop["simulation"]["warmup_min"] = 0;
+  const auto result = run(shop);
+  CHECK(*kpi(result, "parts_good").mean == 960);
+  CHECK(*kpi(result, "crew/operator/utilization").mean == Approx(1));
+  CHECK(*kpi(result, "crew/operator/state/overtime").mean == Approx(0).margin(1e-12));
+  CHECK(*kpi(result, "cost/labour").mean == Approx(50));
+}
