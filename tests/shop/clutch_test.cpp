@@ -34,7 +34,8 @@ double overload_cost(const shop::RunResult& r) {
 
 }  // namespace
 
-TEST_CASE("clutch: trips and breaks, their time and cost per part are those of the plan", "[shop][K204]") {
+TEST_CASE("clutch: trips and breaks, their time and cost per part are those of the plan",
+          "[shop][K204][long]") {
   const json shop = milling_with_clutch(560);
   const auto s = scenarios::load(shop);
   const auto plan = scenarios::plan(s, s.operations[0]);
@@ -60,7 +61,7 @@ TEST_CASE("clutch: trips and breaks, their time and cost per part are those of t
   check_audit(shop);
 }
 
-TEST_CASE("clutch: somebody must come when it does not close again by itself", "[shop][K204]") {
+TEST_CASE("clutch: somebody must come when it does not close again by itself", "[shop][K204][long]") {
   json shop = milling_with_clutch(560);
   shop["machines"][0]["limits"]["safety_clutch"]["clutch"] = "ball_triangle";
   shop["crews"] = {{{"name", "fitter"}, {"rate_per_min", 0.5}}};
@@ -74,7 +75,7 @@ TEST_CASE("clutch: somebody must come when it does not close again by itself", "
   check_truth(r, "cost/overload_reset", o.trips_per_part * o.reset_min * (rate_per_min + 0.5), 0.1);
 }
 
-TEST_CASE("clutch: of many settings simulated, the cheapest is the one of the card", "[shop][K204]") {
+TEST_CASE("clutch: of many settings simulated, the cheapest is the one of the card", "[shop][K204][long]") {
   const auto s = scenarios::load(milling_with_clutch(560));
   const auto plan = scenarios::plan(s, s.operations[0]);
   const double best_nm = operations::optimal_setting_nm(*s.machines[0].limits.safety_clutch, plan,

@@ -47,7 +47,7 @@ double value(const shop::RunResult& r, std::size_t replication, const std::strin
 
 }  // namespace
 
-TEST_CASE("criteria of information, yield and inspection follow from detection", "[shop][K205]") {
+TEST_CASE("criteria of information, yield and inspection follow from detection", "[shop][K205][long]") {
   const auto r = run(judged_shop());
   // Of 1000 parts 100 are defective: 80 found; of the good ones 45 rejected.
   const k205::Diagnosis d{
@@ -61,7 +61,8 @@ TEST_CASE("criteria of information, yield and inspection follow from detection",
   check_truth(r, "criteria/e05", k205::criterion_information_ratio(d).obtained_bit / inspection_cost, 0.05);
 }
 
-TEST_CASE("criteria of cost, reliability and economy are those of the run's own quantities", "[shop][K205]") {
+TEST_CASE("criteria of cost, reliability and economy are those of the run's own quantities",
+          "[shop][K205][long]") {
   const json shop = judged_shop();
   const auto r = run(shop);
   for (std::size_t n = 0; n < 3; ++n) {
@@ -115,7 +116,8 @@ TEST_CASE("criteria of cost, reliability and economy are those of the run's own 
   CHECK(passing == Approx(0.5 + 0.5 * std::exp(-500.0 / 930)).epsilon(0.03));
 }
 
-TEST_CASE("without an inspection nothing is found out, without parts nothing is judged", "[shop][K205]") {
+TEST_CASE("without an inspection nothing is found out, without parts nothing is judged",
+          "[shop][K205][long]") {
   json shop = judged_shop();
   shop["parts"][0]["route"] = {"o"};
   shop["operations"].erase(1);
@@ -132,7 +134,7 @@ TEST_CASE("without an inspection nothing is found out, without parts nothing is 
   CHECK_FALSE(kpi(nothing, "criteria/e09").mean);
 }
 
-TEST_CASE("the hierarchy of the criteria is a KPI, with its limits", "[shop][K205]") {
+TEST_CASE("the hierarchy of the criteria is a KPI, with its limits", "[shop][K205][long]") {
   json shop = judged_shop();
   shop["criteria"]["best"] = {{"e01", 1}, {"e02", 1}, {"e09", 0.9}};
   shop["criteria"]["worst"] = {{"e01", 0}, {"e02", 0.5}, {"e09", 0}};

@@ -36,7 +36,7 @@ operations::Detection card(json shop, double worn) {
 }  // namespace
 
 TEST_CASE("new gauges reject good parts as the card says, gauges beyond the limit pass bad ones",
-          "[gauge][K307]") {
+          "[gauge][K307][long]") {
   // So little wear that the gauges stay as they are.
   const json fresh = gauged({{"wear_per_check_um", 1e-6}});
   const auto r = run(fresh);
@@ -59,7 +59,7 @@ TEST_CASE("new gauges reject good parts as the card says, gauges beyond the limi
 }
 
 TEST_CASE("gauges wear by the parts they check and are replaced at their limit, with time and cost",
-          "[gauge][K307]") {
+          "[gauge][K307][long]") {
   // 14 um to wear at 0.05 um a check: 280 checks.
   const json shop = gauged({{"wear_per_check_um", 0.05}, {"replace_min", 3}, {"gauge_cost", 150}});
   const auto s = scenarios::load(shop);
@@ -90,7 +90,8 @@ TEST_CASE("gauges wear by the parts they check and are replaced at their limit, 
   CHECK(mean(l, "part/p/escape_ratio") > 0);
 }
 
-TEST_CASE("what is not looked at wears no gauge, and each station has gauges of its own", "[gauge][K307]") {
+TEST_CASE("what is not looked at wears no gauge, and each station has gauges of its own",
+          "[gauge][K307][long]") {
   json sampled = gauged({{"wear_per_check_um", 0.05}});
   sampled["operations"][1]["inspection"] = {{"share", 0.25}};
   const auto r = run(sampled);
@@ -106,7 +107,7 @@ TEST_CASE("what is not looked at wears no gauge, and each station has gauges of 
   CHECK(std::abs(mean(both, "machine/bench 2/gauge/gauge/changes") - second / 280) <= 1);
 }
 
-TEST_CASE("states of a gauge between the nodes of its plan are those of the card", "[gauge][K307]") {
+TEST_CASE("states of a gauge between the nodes of its plan are those of the card", "[gauge][K307][long]") {
   const json shop = gauged({{"replace_at_wear", 2}});
   const auto s = scenarios::load(shop);
   const auto gauge = *scenarios::plan(s, s.operations[1]).gauge;

@@ -28,7 +28,7 @@ std::string why(const json& scenario) {
 
 }  // namespace
 
-TEST_CASE("an observed duration has the mean that plans are made with", "[shop]") {
+TEST_CASE("an observed duration has the mean that plans are made with", "[shop][long]") {
   using operations::BetweenValues;
   using operations::EmpiricalDuration;
   for (const EmpiricalDuration& d : {EmpiricalDuration{{3, 1, 2, 9}, {}, BetweenValues::linear},
@@ -43,7 +43,7 @@ TEST_CASE("an observed duration has the mean that plans are made with", "[shop]"
   CHECK(operations::mean_min(EmpiricalDuration{{1, 2, 6}, {}, BetweenValues::linear}) == Approx(2.75));
 }
 
-TEST_CASE("a machine with observed cycle times makes one part per mean of them", "[shop]") {
+TEST_CASE("a machine with observed cycle times makes one part per mean of them", "[shop][long]") {
   for (const char* between : {"linear", "step"}) {
     const json time = observed({2, 2.2, 5, 7}, {50, 30, 15, 5}, between);
     const shop::RunResult result = run(small_shop(always(), time));
@@ -60,7 +60,7 @@ TEST_CASE("a machine with observed cycle times makes one part per mean of them",
   }
 }
 
-TEST_CASE("an observed duration that says nothing is refused at its place", "[shop]") {
+TEST_CASE("an observed duration that says nothing is refused at its place", "[shop][long]") {
   const auto error = [](const json& time) { return why(small_shop(always(), time)); };
   CHECK_THAT(error(observed({2})), Catch::Contains("/operations/0/process/time/values_min"));
   CHECK_THAT(error(observed({2, -1})), Catch::Contains("/operations/0/process/time/values_min/1"));
@@ -73,7 +73,7 @@ TEST_CASE("an observed duration that says nothing is refused at its place", "[sh
   CHECK(error(observed({2, 3, 3})).empty());
 }
 
-TEST_CASE("tool lives of every law: failures and changes as renewal reward says", "[shop]") {
+TEST_CASE("tool lives of every law: failures and changes as renewal reward says", "[shop][long]") {
   for (const char* law : {"lognormal", "gamma"}) {
     json scenario = scenarios_of("heavy-lathe");
     json& life = scenario["inserts"][0]["edge_life"];

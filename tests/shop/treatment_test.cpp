@@ -47,7 +47,8 @@ json treated_and_inspected(const json& process, const json& requirement) {
 
 }  // namespace
 
-TEST_CASE("a treated lot of tools: mean life and scatter in the shop are those of the card", "[treatment]") {
+TEST_CASE("a treated lot of tools: mean life and scatter in the shop are those of the card",
+          "[treatment][long]") {
   struct Lot {
     const char* card;
     json process;
@@ -109,7 +110,7 @@ TEST_CASE("a treated lot of tools: mean life and scatter in the shop are those o
 }
 
 TEST_CASE("K115: the hyperboloid roller leaves a quarter of the profile error, and fewer rejects",
-          "[treatment][K115]") {
+          "[treatment][K115][long]") {
   json rolling = shown("gear_rolling");
   rolling["conventional_profile_error_um"] = 12;
   rolling.erase("profile_error_max_um");
@@ -126,7 +127,8 @@ TEST_CASE("K115: the hyperboloid roller leaves a quarter of the profile error, a
   CHECK(mean(good, "part/p/profile_error_um/short_share") == Approx(models::normal_cdf(-7.0 / 4)));
 }
 
-TEST_CASE("K116: a ground surface hands its tempered zone on, a turned one hardly any", "[treatment][K116]") {
+TEST_CASE("K116: a ground surface hands its tempered zone on, a turned one hardly any",
+          "[treatment][K116][long]") {
   json shop = small_shop(always(), constant(1));
   json steel = shown("tool_steel_finishing");
   steel.erase("fatigue_limit_min_mpa");
@@ -168,7 +170,7 @@ TEST_CASE("K116: a ground surface hands its tempered zone on, a turned one hardl
 }
 
 TEST_CASE("K309: magnetic-abrasive finishing starts from the roughness that grinding leaves",
-          "[treatment][K309]") {
+          "[treatment][K309][long]") {
   json shop = small_shop(always(), constant(1));
   shop["operations"][0]["process"] = shown("cylindrical_grinding");
   shop["machines"].push_back({{"name", "bath"}});
@@ -200,7 +202,7 @@ TEST_CASE("K309: magnetic-abrasive finishing starts from the roughness that grin
 }
 
 TEST_CASE("K305: what thermo-friction machining leaves is the allowance of the grinding after it",
-          "[treatment][K305]") {
+          "[treatment][K305][long]") {
   json shop = small_shop(always(), constant(1));
   json flat = shown("thermo_friction");
   flat.erase("next_allowance_mm");
@@ -226,7 +228,8 @@ TEST_CASE("K305: what thermo-friction machining leaves is the allowance of the g
   CHECK(plan_of(scenarios::load(shop), "grind").main_time_min < plan_of(s, "grind").main_time_min);
 }
 
-TEST_CASE("K312: finishing decides how many blades fall short of the endurance limit", "[treatment][K312]") {
+TEST_CASE("K312: finishing decides how many blades fall short of the endurance limit",
+          "[treatment][K312][long]") {
   const json drawing = {{"quantity", "endurance_limit_mpa"}, {"at_least", 520}};
   for (const char* variant : {"P", "P+UH1", "P+UH2", "P+UH3"}) {
     INFO(variant);
@@ -255,7 +258,7 @@ TEST_CASE("K312: finishing decides how many blades fall short of the endurance l
 }
 
 TEST_CASE("a drawing that is not met is found where it is decided, and rework makes the part anew",
-          "[treatment]") {
+          "[treatment][long]") {
   // Two operations leave the roughness; only the last one counts.
   json shop = small_shop(always(), constant(1));
   json first = shown("magnetic_abrasive");
