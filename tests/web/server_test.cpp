@@ -363,7 +363,8 @@ TEST_CASE("a port in use is one clear error") {
   CHECK_THROWS_WITH(web::is_loopback("example.org"), Catch::Contains("no numeric address"));
 }
 
-TEST_CASE("every call of the pages on a study of 100,000 trials is answered within a tenth of a second") {
+TEST_CASE("every call of the pages on a study of 100,000 trials is answered within a tenth of a second",
+          "[long]") {
   const Serving serving;
   std::int64_t id = 0;
   {
