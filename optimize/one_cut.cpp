@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "optimize/analysis.h"
+#include "sim/shop/kpis.h"
 
 namespace verstat::optimize {
 
@@ -24,20 +25,14 @@ struct Circumstances {
   bool blocked = false;        // it is the machine that waits, for room behind it
 };
 
-// Mean of a KPI of machines over a group; several machines of one group are numbered.
-std::optional<double> of_group(const shop::RunResult& run, const scenarios::Machine& group,
-                               const std::string& kpi) {
+// Mean of a KPI of machines over a group.
+std::optional<double> of_group(const shop::RunResult& run, const scenarios::Machine& group, const char* kpi) {
   double sum = 0;
   int count = 0;
-  for (std::size_t k = 0; k < run.kpis.size(); ++k) {
-    const std::string& name = run.kpis[k].name;
-    const bool own = name == fmt::format("machine/{}/{}", group.name, kpi) ||
-                     (group.count > 1 && name.starts_with(fmt::format("machine/{} ", group.name)) &&
-                      name.ends_with("/" + kpi) &&
-                      name.substr(9 + group.name.size()).find_first_not_of("0123456789") ==
-                          name.substr(9 + group.name.size()).find('/'));
-    if (!own || !run.estimates[k].mean) continue;
-    sum += *run.estimates[k].mean;
+  for (std::int64_t k = 0; k < group.count; ++k) {
+    const auto at = run.index_of(fmt::format("machine/{}/{}", shop::machine_name(group, k), kpi));
+    if (!at || !run.estimates[*at].mean) continue;
+    sum += *run.estimates[*at].mean;
     ++count;
   }
   if (count == 0) return std::nullopt;

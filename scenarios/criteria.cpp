@@ -44,20 +44,12 @@ k205::Hierarchy CriteriaSettings::hierarchy(const k205::Criteria& values) const 
   h.local_form = local_form;
   h.global_form = global_form;
   h.minimum = minimum;
-  const auto given = best.values();
-  const auto kept = [&](std::size_t k, const std::optional<double>& value) {
-    return given[k] ? value : std::nullopt;
-  };
-  h.criteria.e01 = kept(0, values.e01);
-  h.criteria.e02 = kept(1, values.e02);
-  h.criteria.e03 = kept(2, values.e03);
-  h.criteria.e04 = kept(3, values.e04);
-  h.criteria.e05 = kept(4, values.e05);
-  h.criteria.e06 = kept(5, values.e06);
-  h.criteria.e07 = kept(6, values.e07);
-  h.criteria.e08 = kept(7, values.e08);
-  h.criteria.e09 = kept(8, values.e09);
-  h.criteria.e10 = kept(9, values.e10);
+  // A criterion that is not judged needs no value.
+  const auto judged = best.values();
+  auto kept = values.values();
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    if (!judged[k]) kept[k].reset();
+  h.criteria.set(kept);
   return h;
 }
 
@@ -85,8 +77,9 @@ void check_criteria(const Scenario& s, const std::string& at) {
   if (!criteria.has_hierarchy()) return;
   // Weights that leave nothing to judge by are found with values in the middle.
   k205::Criteria middle;
-  middle.e01 = middle.e02 = middle.e03 = middle.e04 = middle.e05 = middle.e06 = middle.e07 = middle.e08 =
-      middle.e09 = middle.e10 = 0.5;
+  k205::Criteria::Values halves;
+  halves.fill(0.5);
+  middle.set(halves);
   try {
     static_cast<void>(k205::hierarchical_efficiency(criteria.hierarchy(middle)));
   } catch (const models::ModelError& e) {

@@ -166,8 +166,11 @@ struct EffectCost {
 /// Values of the ten criteria, or of something per criterion; empty where it is not defined.
 struct PerCriterion {
   static constexpr std::size_t count = 10;
-  std::array<std::optional<double>, count> values() const {
-    return {e01, e02, e03, e04, e05, e06, e07, e08, e09, e10};
+  using Values = std::array<std::optional<double>, count>;
+  Values values() const { return {e01, e02, e03, e04, e05, e06, e07, e08, e09, e10}; }
+  void set(const Values& values) {
+    const std::array members = {&e01, &e02, &e03, &e04, &e05, &e06, &e07, &e08, &e09, &e10};
+    for (std::size_t k = 0; k < count; ++k) *members[k] = values[k];
   }
   std::optional<double> e01, e02, e03, e04, e05, e06, e07, e08, e09, e10;
 };

@@ -12,10 +12,7 @@
 using namespace verstat;
 using namespace verstat::operations;
 using Catch::Matchers::Contains;
-using test::GalleryExample;
-using test::limit_of;
-using test::refusal;
-using test::value_of;
+using namespace verstat::test;
 
 TEST_CASE("thread rolling: the quality of the blanks drives the force", "[K407]") {
   GalleryExample<ThreadRolling> example;

@@ -10,10 +10,7 @@
 using namespace verstat;
 using namespace verstat::operations;
 using Catch::Matchers::Contains;
-using test::GalleryExample;
-using test::limit_of;
-using test::refusal;
-using test::value_of;
+using namespace verstat::test;
 namespace k307 = models::k307;
 
 TEST_CASE("gauges: new ones reject good parts, worn-out ones pass bad parts", "[K307]") {

@@ -14,10 +14,7 @@
 using namespace verstat;
 using namespace verstat::operations;
 using Catch::Matchers::Contains;
-using test::GalleryExample;
-using test::limit_of;
-using test::refusal;
-using test::value_of;
+using namespace verstat::test;
 
 namespace {
 

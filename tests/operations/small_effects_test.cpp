@@ -17,10 +17,7 @@
 using namespace verstat;
 using namespace verstat::operations;
 using Catch::Matchers::Contains;
-using test::GalleryExample;
-using test::limit_of;
-using test::refusal;
-using test::value_of;
+using namespace verstat::test;
 
 TEST_CASE("turning: hot spots limit the speed and shorten the life of the edge", "[K110]") {
   // Titanium, as the card takes it: 1400 h^-0.23 N/mm2, calibrated coefficient.

@@ -294,31 +294,8 @@ TEST_CASE("a slow machine starves the one behind it and blocks the one before it
   CHECK(*kpi(result, "limits/a/starved_by/(supply)").mean == 0);
 }
 
-TEST_CASE("crew states sum to the calendar time, jobs after the shift are overtime", "[shop]") {
-  // One attended machine, parts of 50 min, shifts of eight hours from midnight, the last part is finished.
-  json shop = small_shop(always(), constant(50));
-  shop["calendars"] = {
-      {{"name", "day"},
-       {"shifts",
-        {{{"days", {"monday", "tuesday", "wednesday", "thursday", "friday", "saturday", "sunday"}},
-          {"from_h", 0},
-          {"to_h", 8}}}}}};
-  shop["crews"] = {{{"name", "operator"}, {"calendar", "day"}}};
-  shop["machines"][0]["attendance"] = {{"crew", "operator"}, {"during", "always"}};
-  shop["machines"][0]["calendar"] = "day";
-  shop["machines"][0]["part_at_shift_end"] = "finish";
-  shop["simulation"]["horizon_min"] = 144'000;
-  shop["simulation"]["warmup_min"] = 0;
-  const auto result = run(shop);
-  // Ten parts of 50 min a day: eight hours and twenty minutes.
-  CHECK(*kpi(result, "crew/operator/state/working").mean == Approx(480.0 / 1440));
-  CHECK(*kpi(result, "crew/operator/state/overtime").mean == Approx(20.0 / 1440));
-  CHECK(*kpi(result, "crew/operator/state/free").mean == Approx(0).margin(1e-12));
-  CHECK(*kpi(result, "crew/operator/state/off_shift").mean == Approx(940.0 / 1440));
-}
-
-TEST_CASE("who tends a part that waits for the morning is at home meanwhile", "[shop]") {
-  // Parts of 50 min in shifts of eight hours that pause at the end: nine whole parts and one over two days.
+// One machine, attended by one operator in shifts of eight hours from midnight, for a hundred days.
+static json attended_by_day(const char* part_at_shift_end) {
   json shop = small_shop(always(), constant(50));
   shop["calendars"] = {
       {{"name", "day"},
@@ -329,9 +306,26 @@ TEST_CASE("who tends a part that waits for the morning is at home meanwhile", "[
   shop["crews"] = {{{"name", "operator"}, {"calendar", "day"}, {"rate_per_min", 1}}};
   shop["machines"][0]["attendance"] = {{"crew", "operator"}, {"during", "always"}};
   shop["machines"][0]["calendar"] = "day";
-  shop["machines"][0]["part_at_shift_end"] = "pause";
+  shop["machines"][0]["part_at_shift_end"] = part_at_shift_end;
   shop["simulation"]["horizon_min"] = 144'000;
   shop["simulation"]["warmup_min"] = 0;
+  return shop;
+}
+
+TEST_CASE("crew states sum to the calendar time, jobs after the shift are overtime", "[shop]") {
+  // One attended machine, parts of 50 min, shifts of eight hours from midnight, the last part is finished.
+  const json shop = attended_by_day("finish");
+  const auto result = run(shop);
+  // Ten parts of 50 min a day: eight hours and twenty minutes.
+  CHECK(*kpi(result, "crew/operator/state/working").mean == Approx(480.0 / 1440));
+  CHECK(*kpi(result, "crew/operator/state/overtime").mean == Approx(20.0 / 1440));
+  CHECK(*kpi(result, "crew/operator/state/free").mean == Approx(0).margin(1e-12));
+  CHECK(*kpi(result, "crew/operator/state/off_shift").mean == Approx(940.0 / 1440));
+}
+
+TEST_CASE("who tends a part that waits for the morning is at home meanwhile", "[shop]") {
+  // Parts of 50 min in shifts of eight hours that pause at the end: nine whole parts and one over two days.
+  const json shop = attended_by_day("pause");
   const auto result = run(shop);
   CHECK(*kpi(result, "parts_good").mean == 960);
   CHECK(*kpi(result, "crew/operator/utilization").mean == Approx(1));
