@@ -67,6 +67,8 @@ void check_spare(const Spare& spare, const std::string& at);
 void check_criteria(const Scenario& s, const std::string& at);
 /// Vehicles find a way between all places that they serve.
 void check_layout(const Scenario& s);
+/// Names that are there now, and old ones that nothing else has.
+void check_renamed(const Scenario& s);
 /// Refuses a shop that no computer holds: limits on sums and products of what single members allow.
 void check_size(const Scenario& s);
 /// Refuses a shop whose machines cannot keep up with the demand, unless it says that it knows.

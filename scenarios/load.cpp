@@ -214,6 +214,7 @@ void check_whole(const Scenario& s) {
     fail("/simulation/warmup_min", fmt::format("{}", run.warmup_min),
          fmt::format("must be below horizon_min = {}: nothing would be counted", run.horizon_min));
   if (s.criteria) check_criteria(s, "/criteria");
+  check_renamed(s);
   std::vector<bool> busy(s.machines.size(), false);
   for (const Operation& operation : s.operations)
     for (const std::size_t g : groups_of(s, operation)) busy[g] = true;

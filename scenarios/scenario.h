@@ -35,6 +35,13 @@ enum class PlannedChange {
   planned_downtime  ///< outside the planned busy time
 };
 
+/// Something that had another name before. Random numbers are drawn by name, so that adding, removing or
+/// reordering things changes nothing for the others; with this, renaming changes nothing either.
+struct Renamed {
+  std::string name;
+  std::string was;  ///< the name its random numbers are drawn by
+};
+
 struct SimulationSettings {
   double horizon_min = 120'000;
   double warmup_min = 0;
@@ -44,7 +51,11 @@ struct SimulationSettings {
   bool allow_overload = false;           ///< simulate a shop that cannot keep up with its demand
   double unattended_min = 480;           ///< interval whose chance of passing without a stop is reported
   std::int64_t max_events = 50'000'000;  ///< of one replication; a shop that needs more is refused
+  std::vector<Renamed> renamed;
 };
+
+/// The name that the random numbers of `name` are drawn by.
+[[nodiscard]] const std::string& drawn_as(const SimulationSettings& settings, const std::string& name);
 
 struct Scenario {
   std::string name;

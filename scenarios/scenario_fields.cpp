@@ -38,6 +38,15 @@ struct detail::Binding<Seed> {
 };
 
 template <>
+struct StructFields<Renamed> {
+  static std::vector<Field> fields() {
+    return {need<Renamed>(&Renamed::name, "name", "-", no_range(), "its name now"),
+            need<Renamed>(&Renamed::was, "was", "-", no_range(),
+                          "the name it had; its random numbers are still drawn by it")};
+  }
+};
+
+template <>
 struct StructFields<SimulationSettings> {
   static std::vector<Field> fields() {
     return {may<SimulationSettings>(&SimulationSettings::horizon_min, "horizon_min", "min", open_low(0, 1e9),
@@ -56,7 +65,11 @@ struct StructFields<SimulationSettings> {
                                     open_low(0, 1e9),
                                     "interval whose chance of passing without a stop is reported"),
             may<SimulationSettings>(&SimulationSettings::max_events, "max_events", "1",
-                                    closed(1, 10'000'000'000), "events that one replication may take")};
+                                    closed(1, 10'000'000'000), "events that one replication may take"),
+            entries(may<SimulationSettings>(&SimulationSettings::renamed, "renamed", "-", no_range(),
+                                            "what has another name than before and is to keep its random "
+                                            "numbers, so that the results stay what they were"),
+                    0, 10'000)};
   }
 };
 

@@ -2,11 +2,12 @@
 // A growing queue of values in one block of memory, with access to the middle.
 
 #include <cstddef>
-#include <memory>
 #include <new>
 #include <utility>
 
-namespace verstat::sim::detail {
+#include "sim/kernel/pooled.h"
+
+namespace verstat::sim {
 
 /// Like std::deque, but it allocates only when it grows beyond its largest size so far.
 template <class T>
@@ -62,11 +63,11 @@ class RingBuffer {
  private:
   [[nodiscard]] T* at(std::size_t i) const noexcept { return slots_ + ((head_ + i) & (capacity_ - 1)); }
   static void release(T* slots, std::size_t capacity) noexcept {
-    if (slots != nullptr) std::allocator<T>().deallocate(slots, capacity);
+    if (slots != nullptr) PoolAllocator<T>().deallocate(slots, capacity);
   }
   void grow() {
     const std::size_t wider = capacity_ == 0 ? 8 : 2 * capacity_;
-    T* slots = std::allocator<T>().allocate(wider);
+    T* slots = PoolAllocator<T>().allocate(wider);
     for (std::size_t i = 0; i < size_; ++i) {
       new (static_cast<void*>(slots + i)) T(std::move(*at(i)));
       at(i)->~T();
@@ -83,4 +84,4 @@ class RingBuffer {
   std::size_t size_ = 0;
 };
 
-}  // namespace verstat::sim::detail
+}  // namespace verstat::sim

@@ -308,7 +308,7 @@ class Store {
   std::size_t capacity_;
   Discipline discipline_;
   std::function<double(const T&)> key_;
-  detail::RingBuffer<T> items_;
+  RingBuffer<T> items_;
   detail::WaitList getters_;
   detail::WaitList handed_over_;  // getters that have their item and are about to wake up
   detail::WaitList putters_;

@@ -96,15 +96,17 @@ void Shop::build_operations() {
 }
 
 void Shop::build_machines() {
-  const std::uint64_t seed = scenario_.simulation.seed.value;
+  const scenarios::SimulationSettings& settings = scenario_.simulation;
   for (const scenarios::Spare& spare : scenario_.spares)
-    spares_.push_back(std::make_unique<Spares>(spare, sim_, seed, replication_));
+    spares_.push_back(std::make_unique<Spares>(spare, sim_, settings, replication_));
   for (const scenarios::Machine& machine : scenario_.machines) {
     groups_.push_back(std::make_unique<Group>(sim_, machine, groups_.size()));
     Group& group = *groups_.back();
     can_block_ = can_block_ || machine.queue_capacity;
-    if (const auto* calendar = scenarios::find_named(scenario_.calendars, machine.calendar))
+    if (const auto* calendar = scenarios::find_named(scenario_.calendars, machine.calendar)) {
       group.working_time.emplace(*calendar);
+      group.pauses = machine.part_at_shift_end == scenarios::AtShiftEnd::pause;
+    }
     if (machine.loading) group.loading_time = law_of(*machine.loading);
     if (machine.unloading) group.unloading_time = law_of(*machine.unloading);
     if (machine.overload) {
@@ -124,12 +126,14 @@ void Shop::build_machines() {
       if (!machine.setup->crew.empty()) group.setup_crews = labour_->crews_for(machine.setup->crew);
     }
     for (std::int64_t k = 0; k < machine.count; ++k) {
-      machines_.push_back(std::make_unique<MachineUnit>(scenario_, machine_name(machine, k), group,
+      const std::string entity = numbered(drawn_as(settings, machine.name), machine.count, k);
+      machines_.push_back(std::make_unique<MachineUnit>(scenario_, machine_name(machine, k), entity, group,
                                                         machines_.size(), sim_, replication_));
       MachineUnit& unit = *machines_.back();
       group.machines.push_back(&unit);
       for (const scenarios::FailureMode& mode : machine.failures) {
-        auto stop = std::make_unique<Stop>(seed, unit.name + "/" + mode.name, replication_);
+        auto stop = std::make_unique<Stop>(settings.seed.value, entity + "/" + drawn_as(settings, mode.name),
+                                           replication_);
         stop->failure = &mode;
         stop->clock = mode.clock;
         stop->effect = mode.effect;
@@ -141,7 +145,8 @@ void Shop::build_machines() {
         unit.stops.push_back(std::move(stop));
       }
       for (const scenarios::Maintenance& job : machine.maintenance) {
-        auto stop = std::make_unique<Stop>(seed, unit.name + "/" + job.name, replication_);
+        auto stop = std::make_unique<Stop>(settings.seed.value, entity + "/" + drawn_as(settings, job.name),
+                                           replication_);
         stop->maintenance = &job;
         stop->clock = job.clock;
         stop->effect = job.effect;
@@ -157,7 +162,7 @@ void Shop::build_machines() {
 }
 
 void Shop::build_flow() {
-  const std::uint64_t seed = scenario_.simulation.seed.value;
+  const scenarios::SimulationSettings& settings = scenario_.simulation;
   for (const scenarios::Store& store : scenario_.stores) {
     stores_.push_back(std::make_unique<StoreUnit>(store, stores_.size(), sim_));
     stores_.back()->parts.assign(scenario_.parts.size(), 0);
@@ -173,7 +178,7 @@ void Shop::build_flow() {
     work_left_min_.push_back(work_left(routes_.back(), time_min));
     store_of_.push_back(stores_[index_of(scenario_.stores, part.store)].get());
     store_of_.back()->kinds.push_back(p);
-    sources_.push_back(std::make_unique<Source>(part, p, seed, replication_));
+    sources_.push_back(std::make_unique<Source>(part, p, settings, replication_));
     Source& source = *sources_.back();
     if (part.due_after) source.due_after = law_of(*part.due_after);
     if (const auto* threshold = std::get_if<scenarios::StationThreshold>(&part.release))
@@ -184,7 +189,7 @@ void Shop::build_flow() {
         groups_[first.group]->releases.push_back(p);
   }
   for (const scenarios::Transport& transport : scenario_.transport) {
-    carriers_.push_back(std::make_unique<Carrier>(transport, sim_, seed, replication_));
+    carriers_.push_back(std::make_unique<Carrier>(transport, sim_, settings, replication_));
     Carrier& carrier = *carriers_.back();
     can_block_ = can_block_ || std::holds_alternative<scenarios::Conveyor>(transport.carrier);
     const auto serves = [](const std::string& wanted, const std::string& name) {

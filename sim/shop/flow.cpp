@@ -241,9 +241,7 @@ void Shop::arrive(Job& job) {
   }
   job.enter(Phase::queue, sim_.now());
   if (!group.idle.empty()) {
-    MachineUnit* machine = group.idle.front();
-    group.idle.pop_front();
-    machine->inbox.try_put(&job);
+    group.idle.pop_front()->inbox.try_put(&job);
     return;
   }
   group.queue.push_back(&job);
@@ -252,8 +250,8 @@ void Shop::arrive(Job& job) {
 }
 
 std::size_t Shop::best_waiting(const MachineUnit& machine) const {
-  const std::deque<Job*>& queue = machine.group->queue;
-  const Dispatch rule = machine.group->spec->dispatch;
+  const sim::RingBuffer<Job*>& queue = machine.group->queue;
+  const Dispatch rule = machine.group->dispatch;
   if (rule == Dispatch::fifo) return 0;
   const double now = sim_.now();
   const auto rank = [&](const Job& job) -> double {
@@ -291,9 +289,7 @@ std::size_t Shop::best_waiting(const MachineUnit& machine) const {
 Job* Shop::take_job(MachineUnit& machine) {
   Group& group = *machine.group;
   if (group.queue.empty()) return group.unlimited_parts.empty() ? nullptr : new_unlimited_job(group);
-  const std::size_t k = best_waiting(machine);
-  Job* job = group.queue[k];
-  group.queue.erase(group.queue.begin() + static_cast<std::ptrdiff_t>(k));
+  Job* job = group.queue.erase(best_waiting(machine));
   group.queue_length.set(sim_.now(), static_cast<double>(group.queue.size()));
   if (trace_ != nullptr) trace_->queue_length(job->on_its_way_to, sim_.now(), group.queue.size());
   group.room.notify();
@@ -433,9 +429,7 @@ void Shop::serve_assemblies() {
     job->enter(Phase::queue, sim_.now());
     Group& group = *groups_[job->on_its_way_to];
     if (!group.idle.empty()) {
-      MachineUnit* machine = group.idle.front();
-      group.idle.pop_front();
-      machine->inbox.try_put(job);
+      group.idle.pop_front()->inbox.try_put(job);
     } else {
       group.queue.push_back(job);
       group.queue_length.set(sim_.now(), static_cast<double>(group.queue.size()));
@@ -446,9 +440,7 @@ void Shop::serve_assemblies() {
       Job* job = new_unlimited_job(*group);
       if (job == nullptr) break;
       job->from = from_components();
-      MachineUnit* machine = group->idle.front();
-      group->idle.pop_front();
-      machine->inbox.try_put(job);
+      group->idle.pop_front()->inbox.try_put(job);
     }
 }
 
@@ -502,7 +494,8 @@ void Shop::finish(Job& job) {
 
 sim::Task<void> Shop::demand(StoreUnit& store) {
   const sim::Distribution interarrival = law_of(*store.spec->demand);
-  sim::RandomStream stream(scenario_.simulation.seed.value, store.spec->name, "demand", replication_);
+  const scenarios::SimulationSettings& settings = scenario_.simulation;
+  sim::RandomStream stream(settings.seed.value, drawn_as(settings, store.spec->name), "demand", replication_);
   for (;;) {
     const double wait_min = interarrival.sample(stream);
     co_await sim_.delay(wait_min);

@@ -69,8 +69,11 @@ double energy_of(const scenarios::Power& power, const StateClock& clock) {
 
 }  // namespace
 
+std::string numbered(const std::string& group, std::int64_t count, std::int64_t index) {
+  return count == 1 ? group : fmt::format("{} {}", group, index + 1);
+}
 std::string machine_name(const scenarios::Machine& machine, std::int64_t index) {
-  return machine.count == 1 ? machine.name : fmt::format("{} {}", machine.name, index + 1);
+  return numbered(machine.name, machine.count, index);
 }
 
 // States that cannot occur are left out of the results: a lathe without a calendar has no off-shift share.

@@ -28,7 +28,9 @@ using KpiSink = std::function<void(KpiInfo, std::optional<double>)>;
 /// The KPIs that a run of this scenario yields, in order.
 [[nodiscard]] std::vector<KpiInfo> kpi_infos(const scenarios::Scenario& scenario);
 
-/// Names of identical machines: "lathe" when there is one, else "lathe 1", "lathe 2", ...
+/// Name of member `index`, from 0, of a group of `count` identical machines: "lathe 2", or "lathe" when it is
+/// alone.
+[[nodiscard]] std::string numbered(const std::string& group, std::int64_t count, std::int64_t index);
 [[nodiscard]] std::string machine_name(const scenarios::Machine& machine, std::int64_t index);
 
 }  // namespace verstat::shop

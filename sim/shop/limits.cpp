@@ -78,6 +78,7 @@ void Shop::told_idle(MachineUnit& machine, const Job& job) {
   machine.clock.settle(sim_.now());
   const double idle_min =
       machine.clock.time_min(MachineState::idle) + machine.clock.time_min(MachineState::off);
+  if (idle_min == machine.idle_told_min) return;
   add(machine.group->starved_of, job.from, idle_min - machine.idle_told_min);
   machine.idle_told_min = idle_min;
 }

@@ -57,7 +57,7 @@ sim::Task<Job*> Shop::wait_for_job(MachineUnit& machine) {
       const double now = sim_.now();
       double wake_min = time_to_stop(machine, MachineState::idle, StopEffect::when_idle);
       if (working_time != nullptr) wake_min = std::min(wake_min, working_time->next_change_min(now) - now);
-      const bool may_switch_off = machine.group->spec->switch_off.has_value() && !switched_off;
+      const bool may_switch_off = group.switches_off && !switched_off;
       double switch_off_min = never;
       if (may_switch_off)
         switch_off_min = std::max(0.0, idle_since_min + group.spec->switch_off->after_idle_min - now);
@@ -71,7 +71,7 @@ sim::Task<Job*> Shop::wait_for_job(MachineUnit& machine) {
         if (came.index() == 0) {
           job = came.get<0>();
         } else {
-          std::erase(group.idle, &machine);
+          group.no_longer_idle(machine);
           if (wake_min == switch_off_min) switched_off = true;
           continue;
         }
@@ -101,15 +101,14 @@ sim::Task<void> Shop::open_shift(MachineUnit& machine) {
 sim::Task<void> Shop::process(MachineUnit& machine, Job& job) {
   Group& group = *machine.group;
   const PlannedOperation& operation = planned(job);
-  const auto& attendance = group.spec->attendance;
   job.enter(Phase::machine, sim_.now());
   if (trace_ != nullptr) trace_->part_step(job.part, job.step, machine.index, sim_.now());
   CrewHold attending;
-  if (attendance && attendance->during == Attendance::always) {
+  if (group.attended == Attendance::always) {
     attending = co_await call_crew(machine, group.attendance_crews, Cost::labour);
   }
   const std::size_t family = operations_[routes_[job.part][job.step].operation].family;
-  if (group.spec->setup && machine.family != family) co_await set_up(machine, family);
+  if (group.has_setup && machine.family != family) co_await set_up(machine, family);
 
   std::int64_t rejected = 0;
   const std::int64_t defective = job.defects;  // from operations before: the first so many parts of the batch
@@ -177,8 +176,7 @@ sim::Task<void> Shop::load(MachineUnit& machine, bool unloading) {
   const double time_min = unloading ? group.unloading_time->sample(machine.unloading_stream)
                                     : group.loading_time->sample(machine.loading_stream);
   CrewHold hands;
-  const auto& attendance = group.spec->attendance;
-  if (attendance && attendance->during == Attendance::loading)
+  if (group.attended == Attendance::loading)
     hands = co_await call_crew(machine, group.attendance_crews, Cost::labour);
   co_await spend(machine, MachineState::loading, time_min);
 }
@@ -258,7 +256,7 @@ sim::Task<CrewHold> Shop::call_crew(MachineUnit& machine, const std::vector<std:
 sim::Task<void> Shop::spend(MachineUnit& machine, MachineState state, double time_min, MountedTool* tool) {
   const bool works = state == MachineState::cutting || state == MachineState::working;
   const auto& working_time = machine.group->working_time;
-  const bool pauses = works && working_time && machine.group->spec->part_at_shift_end == AtShiftEnd::pause;
+  const bool pauses = works && machine.group->pauses;
   const double crumb_min = 1e-9 * time_min;
   double left_min = time_min;
   for (;;) {

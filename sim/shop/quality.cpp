@@ -46,10 +46,10 @@ void Shop::build_quality() {
   for (const OperationUnit& operation : operations_)
     for (const PlannedOperation& planned : operation.on) {
       if (!planned.plan.gauge) continue;
-      groups_[planned.group]->has_gauge = true;
-      for (const auto& machine : machines_)
-        if (machine->group == groups_[planned.group].get())
-          machine->gauges.push_back({.operation = &planned, .start = planned.plan.gauge->start});
+      Group& group = *groups_[planned.group];
+      group.has_gauge = true;
+      for (MachineUnit* machine : group.machines)
+        machine->gauges.push_back({.operation = &planned, .start = planned.plan.gauge->start});
     }
 }
 

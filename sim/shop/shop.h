@@ -166,7 +166,7 @@ class Shop {
   /// An operation with its plan on every group that can do it.
   struct OperationUnit {
     const scenarios::Operation* spec;
-    std::vector<PlannedOperation> on;
+    std::vector<PlannedOperation, sim::PoolAllocator<PlannedOperation>> on;
     std::size_t family = 0;
     std::size_t next_in_turn = 0;
   };

@@ -6,6 +6,8 @@
 
 #include "scenarios/layout.h"
 #include "sim/kernel/arrivals.h"
+#include "sim/kernel/pooled.h"
+#include "sim/kernel/ring_buffer.h"
 #include "sim/shop/durations.h"
 #include "sim/shop/shop.h"
 #include "sim/shop/unattended.h"
@@ -13,7 +15,7 @@
 namespace verstat::shop {
 
 // Identical machines share one queue of batches.
-struct Shop::Group {
+struct Shop::Group : sim::Pooled {
   struct Limit {
     std::size_t by;  // group, or what comes behind the groups
     double minutes = 0;
@@ -22,21 +24,37 @@ struct Shop::Group {
       : spec(&machine),
         index(group_index),
         queue_capacity(machine.queue_capacity.value_or(std::numeric_limits<std::int64_t>::max() / 2)),
-        room(sim) {}
+        dispatch(machine.dispatch),
+        has_setup(machine.setup.has_value()),
+        switches_off(machine.switch_off.has_value()),
+        room(sim) {
+    if (machine.attendance) attended = machine.attendance->during;
+  }
+  void no_longer_idle(const MachineUnit& machine) {
+    for (std::size_t k = 0; k < idle.size(); ++k)
+      if (idle[k] == &machine) return static_cast<void>(idle.erase(k));
+  }
+  // What every batch asks comes first.
   const scenarios::Machine* spec;
   std::size_t index;
   std::int64_t on_their_way = 0;  // batches sent here that have not arrived: their room is taken
   std::int64_t in_work = 0;
-  std::int64_t queue_capacity;    // the largest number: none
-  std::deque<Job*> queue;         // in order of arrival
-  std::deque<MachineUnit*> idle;  // machines that wait for work, who waits longest first
-  std::vector<const MachineUnit*> machines;
-  std::vector<Limit> blocked_by;  // see limits.cpp
-  std::vector<Limit> starved_of;
-  sim::Signal room;                          // the queue has become shorter
+  std::int64_t queue_capacity;         // the largest number: none
+  sim::RingBuffer<Job*> queue;         // in order of arrival
+  sim::RingBuffer<MachineUnit*> idle;  // machines that wait for work, who waits longest first
+  scenarios::Dispatch dispatch;
+  std::optional<scenarios::Attendance> attended;
+  bool has_setup;
+  bool switches_off;
+  bool pauses = false;                       // parts in work at the end of a shift
   std::vector<std::size_t> unlimited_parts;  // part types that are always available and start here
   std::vector<std::size_t> releases;         // part types whose release waits for this queue to shorten
-  bool assembles_unlimited = false;          // one of the unlimited parts starts with an assembly
+  std::vector<Limit> starved_of;             // see limits.cpp
+  std::vector<Limit> blocked_by;
+  sim::TimeWeighted queue_length;
+  sim::Signal room;  // the queue has become shorter
+  std::vector<MachineUnit*> machines;
+  bool assembles_unlimited = false;  // one of the unlimited parts starts with an assembly
   bool has_tool = false;
   bool has_gauge = false;  // that is replaced at its wear limit
   std::size_t next_unlimited = 0;
@@ -54,7 +72,6 @@ struct Shop::Group {
   std::vector<SetupLaw> setup_times;
   std::vector<std::size_t> setup_crews;
   std::vector<std::size_t> attendance_crews;
-  sim::TimeWeighted queue_length;
 };
 
 // Copies of a tool that take each other's place; what is not in a machine or in the tool room is ready.
@@ -85,9 +102,9 @@ struct Shop::ElementUnit {
 };
 
 // A tool on a machine: its own clock, and the copy that works.
-struct Shop::MountedTool {
+struct Shop::MountedTool : sim::Pooled {
   MountedTool(const scenarios::Scenario& scenario, std::size_t index, const scenarios::Insert& insert,
-              const MachineUnit& machine, std::uint64_t replication);
+              const MachineUnit& machine, const std::string& entity, std::uint64_t replication);
   [[nodiscard]] ToolView view(double main_time_min) const;
   // What every cut asks comes first.
   const scenarios::Tool* spec;
@@ -97,7 +114,8 @@ struct Shop::MountedTool {
   ToolBody* body = nullptr;  // in the machine
   double mean_life_min = 0;  // of an edge in the operation before
   std::unique_ptr<Strategy> strategy;
-  ToolPool* pool = nullptr;  // when copies are changed
+  const scenarios::ConditionBased* watch = nullptr;  // the strategy, when it is that one
+  ToolPool* pool = nullptr;                          // when copies are changed
   std::vector<ElementUnit> elements;
   StateClock clock;
   double sign_share = 1;  // of its life from which an edge shows its wear
@@ -143,7 +161,7 @@ struct Shop::GaugeUnit {
 };
 
 // A failure mode or a maintenance job of one machine.
-struct Shop::Stop {
+struct Shop::Stop : sim::Pooled {
   Stop(std::uint64_t seed, const std::string& entity, std::uint64_t replication)
       : life_stream(seed, entity, "time to failure", replication),
         duration_stream(seed, entity, "stop duration", replication),
@@ -167,36 +185,35 @@ struct Shop::Stop {
   std::uint64_t count = 0;
 };
 
-struct Shop::MachineUnit {
-  MachineUnit(const scenarios::Scenario& scenario, std::string unit_name, Group& machine_group,
-              std::size_t unit_index, sim::Simulation& sim, std::uint64_t replication)
-      : name(std::move(unit_name)),
-        group(&machine_group),
+struct Shop::MachineUnit : sim::Pooled {
+  MachineUnit(const scenarios::Scenario& scenario, std::string unit_name, std::string entity,
+              Group& machine_group, std::size_t unit_index, sim::Simulation& sim, std::uint64_t replication)
+      : group(&machine_group),
         index(unit_index),
         clock(machine_group.working_time ? &*machine_group.working_time : nullptr),
         inbox(sim),
-        duration_stream(scenario.simulation.seed.value, name, "plain duration", replication),
-        breakage_stream(scenario.simulation.seed.value, name, "tool breakage", replication),
-        quality_stream(scenario.simulation.seed.value, name, "process scrap", replication),
-        defect_stream(scenario.simulation.seed.value, name, "hidden defect", replication),
-        inspection_stream(scenario.simulation.seed.value, name, "inspection", replication),
-        loading_stream(scenario.simulation.seed.value, name, "loading", replication),
-        unloading_stream(scenario.simulation.seed.value, name, "unloading", replication),
-        setup_stream(scenario.simulation.seed.value, name, "setup", replication),
-        routing_stream(scenario.simulation.seed.value, name, "routing", replication),
-        overload_stream(scenario.simulation.seed.value, name, "overload", replication) {}
-  std::string name;
+        name(std::move(unit_name)),
+        drawn_as(std::move(entity)),
+        duration_stream(scenario.simulation.seed.value, drawn_as, "plain duration", replication),
+        breakage_stream(scenario.simulation.seed.value, drawn_as, "tool breakage", replication),
+        quality_stream(scenario.simulation.seed.value, drawn_as, "process scrap", replication),
+        defect_stream(scenario.simulation.seed.value, drawn_as, "hidden defect", replication),
+        inspection_stream(scenario.simulation.seed.value, drawn_as, "inspection", replication),
+        loading_stream(scenario.simulation.seed.value, drawn_as, "loading", replication),
+        unloading_stream(scenario.simulation.seed.value, drawn_as, "unloading", replication),
+        setup_stream(scenario.simulation.seed.value, drawn_as, "setup", replication),
+        routing_stream(scenario.simulation.seed.value, drawn_as, "routing", replication),
+        overload_stream(scenario.simulation.seed.value, drawn_as, "overload", replication) {}
+  // What every part asks comes first.
   Group* group;
-  std::size_t index;  // among all machines
+  std::size_t index;            // among all machines
+  Job* job = nullptr;           // in work
+  bool has_joiners = false;     // a tool whose strategy uses other stops
+  bool part_spoiled = false;    // the part in work
+  bool standing_still = false;  // a stop is being dealt with
+  double part_wear = 0;         // of the edge after the part in work, in mean lives
   std::vector<std::unique_ptr<Stop>> stops;
-  std::vector<GaugeUnit> gauges;
-  IntervalCount missions;                           // windows with failures, for the criteria of efficiency
   std::vector<std::unique_ptr<MountedTool>> tools;  // by name, the same on every machine of the group
-  Job* job = nullptr;                               // in work
-  bool has_joiners = false;                         // a tool whose strategy uses other stops
-  bool part_spoiled = false;                        // the part in work
-  bool standing_still = false;                      // a stop is being dealt with
-  double part_wear = 0;                             // of the edge after the part in work, in mean lives
   // Readings of the usage clocks.
   double operating_min = 0;
   double cutting_min = 0;
@@ -210,7 +227,11 @@ struct Shop::MachineUnit {
   std::optional<std::size_t> family;
   double idle_told_min = 0;  // of the idle and blocked minutes, those of which it is told who caused them
   double blocked_told_min = 0;
-  Place waits_for;  // when it is blocked; nowhere: on a conveyor that is full
+  Place waits_for;         // when it is blocked; nowhere: on a conveyor that is full
+  IntervalCount missions;  // windows with failures, for the criteria of efficiency
+  std::vector<GaugeUnit> gauges;
+  std::string name;
+  std::string drawn_as;  // its random numbers
   std::uint64_t parts_rejected = 0;
   std::uint64_t setups = 0;
   std::uint64_t failures = 0;
@@ -230,12 +251,13 @@ struct Shop::MachineUnit {
 };
 
 struct Shop::Spares {
-  Spares(const scenarios::Spare& spare, sim::Simulation& sim, std::uint64_t seed, std::uint64_t replication)
+  Spares(const scenarios::Spare& spare, sim::Simulation& sim, const scenarios::SimulationSettings& settings,
+         std::uint64_t replication)
       : spec(&spare),
         stock(spare.stock),
         arrived(sim),
         lead_time(law_of(spare.lead_time)),
-        lead_time_stream(seed, spare.name, "lead time", replication) {}
+        lead_time_stream(settings.seed.value, drawn_as(settings, spare.name), "lead time", replication) {}
   const scenarios::Spare* spec;
   std::int64_t stock;
   std::int64_t ordered = 0;
@@ -248,7 +270,7 @@ struct Shop::Spares {
   sim::RandomStream lead_time_stream;
 };
 
-struct Shop::StoreUnit {
+struct Shop::StoreUnit : sim::Pooled {
   StoreUnit(const scenarios::Store& store, std::size_t store_index, sim::Simulation& sim)
       : spec(&store), index(store_index), room(sim) {}
   const scenarios::Store* spec;
@@ -267,13 +289,13 @@ struct Shop::StoreUnit {
 };
 
 // How blanks of one part type come and are let into the shop.
-struct Shop::Source {
-  Source(const scenarios::PartType& type, std::size_t part_index, std::uint64_t seed,
-         std::uint64_t replication)
+struct Shop::Source : sim::Pooled {
+  Source(const scenarios::PartType& type, std::size_t part_index,
+         const scenarios::SimulationSettings& settings, std::uint64_t replication)
       : spec(&type),
         part(part_index),
-        arrival_stream(seed, type.name, "interarrival", replication),
-        due_stream(seed, type.name, "due date", replication) {}
+        arrival_stream(settings.seed.value, drawn_as(settings, type.name), "interarrival", replication),
+        due_stream(settings.seed.value, drawn_as(settings, type.name), "due date", replication) {}
   struct Waiting {
     std::int64_t quantity;
     double arrived_min;
@@ -307,9 +329,11 @@ struct Shop::Fleet {
 };
 
 struct Shop::Carrier {
-  Carrier(const scenarios::Transport& transport, sim::Simulation& sim, std::uint64_t seed,
-          std::uint64_t replication)
-      : spec(&transport), room(sim), stream(seed, transport.name, "transport time", replication) {}
+  Carrier(const scenarios::Transport& transport, sim::Simulation& sim,
+          const scenarios::SimulationSettings& settings, std::uint64_t replication)
+      : spec(&transport),
+        room(sim),
+        stream(settings.seed.value, drawn_as(settings, transport.name), "transport time", replication) {}
   const scenarios::Transport* spec;
   // Whether it serves moves from a group, to a group and to a store.
   std::vector<bool> from_group = {};

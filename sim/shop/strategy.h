@@ -7,6 +7,7 @@
 
 #include "models/math/life_law.h"
 #include "scenarios/scenario.h"
+#include "sim/kernel/pooled.h"
 
 namespace verstat::shop {
 
@@ -20,7 +21,7 @@ struct ToolView {
   double cut_since_inspection_min = 0;
 };
 
-class Strategy {
+class Strategy : public sim::Pooled {
  public:
   Strategy() = default;
   Strategy(const Strategy&) = delete;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "scenarios/tooling.h"
+#include "sim/kernel/pooled.h"
 #include "sim/shop/edge.h"
 
 namespace verstat::shop {
@@ -18,7 +19,7 @@ namespace verstat::shop {
 /// the full tool)^load_exponent: z/(z-j) with global sharing after j failures, the pitches to the working
 /// tooth ahead with local sharing (K109 C2, C4, C6). With reduced table feed the rate stays 1 and cutting
 /// takes z/(z-j) times as long.
-class ToolBody {
+class ToolBody : public sim::Pooled {
  public:
   /// `insert` as it is fitted, see scenarios::prepared. The streams of the first tooth are those of `entity`.
   ToolBody(const scenarios::Tool& tool, const scenarios::Insert& insert, LotSource* lots, std::uint64_t seed,
@@ -31,8 +32,9 @@ class ToolBody {
     bool changed = false;  ///< in the change under way
     FittedInsert::Outlook outlook;
   };
-  [[nodiscard]] std::vector<Tooth>& teeth() { return teeth_; }
-  [[nodiscard]] const std::vector<Tooth>& teeth() const { return teeth_; }
+  using Teeth = std::vector<Tooth, sim::PoolAllocator<Tooth>>;
+  [[nodiscard]] Teeth& teeth() { return teeth_; }
+  [[nodiscard]] const Teeth& teeth() const { return teeth_; }
   [[nodiscard]] std::int64_t failed_teeth() const { return failed_; }
 
   struct Failure {
@@ -74,7 +76,7 @@ class ToolBody {
  private:
   void share_load();
 
-  std::vector<Tooth> teeth_;
+  Teeth teeth_;
   std::int64_t failed_ = 0;
   double feed_factor_ = 1;
   double age_ = 0;

@@ -32,7 +32,7 @@ void Shop::ElementUnit::renew() {
 
 Shop::MountedTool::MountedTool(const scenarios::Scenario& scenario, std::size_t tool_index,
                                const scenarios::Insert& insert, const MachineUnit& unit,
-                               std::uint64_t replication)
+                               const std::string& entity, std::uint64_t replication)
     : spec(&scenario.tools[tool_index]),
       insert_spec(&insert),
       index(tool_index),
@@ -43,19 +43,15 @@ Shop::MountedTool::MountedTool(const scenarios::Scenario& scenario, std::size_t 
       index_time(law_of(spec->change.index)),
       replace_time(law_of(spec->change.replace)),
       swap_time(law_of(spec->change.swap)),
-      index_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "index time", replication),
-      replace_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "replace time",
-                     replication),
-      scrap_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "scrap", replication),
-      swap_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "swap time", replication),
-      inspection_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "edge inspection",
-                        replication),
-      presetting_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "presetting time",
-                        replication),
-      regrind_stream(scenario.simulation.seed.value, unit.name + "/" + spec->name, "regrinding time",
-                     replication) {
-  if (const auto* watch = std::get_if<scenarios::ConditionBased>(&spec->strategy))
-    sign_share = share_of_life_shown(watch->sign);
+      index_stream(scenario.simulation.seed.value, entity, "index time", replication),
+      replace_stream(scenario.simulation.seed.value, entity, "replace time", replication),
+      scrap_stream(scenario.simulation.seed.value, entity, "scrap", replication),
+      swap_stream(scenario.simulation.seed.value, entity, "swap time", replication),
+      inspection_stream(scenario.simulation.seed.value, entity, "edge inspection", replication),
+      presetting_stream(scenario.simulation.seed.value, entity, "presetting time", replication),
+      regrind_stream(scenario.simulation.seed.value, entity, "regrinding time", replication) {
+  watch = std::get_if<scenarios::ConditionBased>(&spec->strategy);
+  if (watch != nullptr) sign_share = share_of_life_shown(watch->sign);
   if (spec->presetting) presetting_time = law_of(spec->presetting->time);
   if (spec->regrind) regrind_time = law_of(spec->regrind->time);
 }
@@ -69,14 +65,15 @@ ToolView Shop::MountedTool::view(double main_time_min) const {
 }
 
 void Shop::build_tools() {
-  const std::uint64_t seed = scenario_.simulation.seed.value;
+  const scenarios::SimulationSettings& settings = scenario_.simulation;
+  const std::uint64_t seed = settings.seed.value;
   for (const scenarios::Insert& insert : scenario_.inserts) {
     inserts_.push_back(scenarios::prepared(insert));
-    lots_.push_back(insert.lots ? std::make_unique<LotSource>(*insert.lots, seed, insert.name, replication_)
+    const std::string& entity = drawn_as(settings, insert.name);
+    lots_.push_back(insert.lots ? std::make_unique<LotSource>(*insert.lots, seed, entity, replication_)
                                 : nullptr);
-    cribs_.push_back(insert.crib
-                         ? std::make_unique<InsertCrib>(sim_, *insert.crib, insert.name, seed, replication_)
-                         : nullptr);
+    cribs_.push_back(
+        insert.crib ? std::make_unique<InsertCrib>(sim_, *insert.crib, entity, seed, replication_) : nullptr);
   }
   inserts_.emplace_back();
   lots_.push_back(nullptr);
@@ -122,7 +119,9 @@ void Shop::build_tools() {
   const auto mount = [&](MachineUnit& machine, std::size_t index) {
     const scenarios::Tool& tool = scenario_.tools[index];
     const std::size_t insert = insert_of(tool);
-    auto mounted = std::make_unique<MountedTool>(scenario_, index, inserts_[insert], machine, replication_);
+    const std::string entity = machine.drawn_as + "/" + drawn_as(settings, tool.name);
+    auto mounted =
+        std::make_unique<MountedTool>(scenario_, index, inserts_[insert], machine, entity, replication_);
     mounted->crews = labour_->crews_for(tool.crew);
     mounted->failure_crews =
         tool.failure_crew.empty() ? mounted->crews : labour_->crews_for(tool.failure_crew);
@@ -130,10 +129,9 @@ void Shop::build_tools() {
                                     ? labour_->crews_for(tool.presetting->crew)
                                     : mounted->crews;
     mounted->crib = cribs_[insert].get();
-    const std::string entity = machine.name + "/" + tool.name;
     if (tool.shared) {
       ToolPool*& pool = shared[index];
-      if (pool == nullptr) pool = pool_of(index, tool.name);
+      if (pool == nullptr) pool = pool_of(index, drawn_as(settings, tool.name));
       mounted->pool = pool;
     } else if (scenarios::changed_off_line(tool)) {
       mounted->pool = pool_of(index, entity);
@@ -178,7 +176,7 @@ void Shop::build_tools() {
   }
   for (auto& tools : held)
     std::sort(tools.begin(), tools.end(), [&](std::size_t a, std::size_t b) {
-      return scenario_.tools[a].name < scenario_.tools[b].name;
+      return drawn_as(settings, scenario_.tools[a].name) < drawn_as(settings, scenario_.tools[b].name);
     });
   for (OperationUnit& operation : operations_)
     for (PlannedOperation& on : operation.on) {

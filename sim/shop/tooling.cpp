@@ -30,7 +30,7 @@ sim::Task<void> Shop::cut(MachineUnit& machine, MountedTool& tool, const Planned
   const double mean_life_min = operation.mean_life_min;
   tool.mean_life_min = mean_life_min;
   if (tool.body == nullptr) co_await fetch_tool(machine, tool);
-  if (const auto* watch = std::get_if<scenarios::ConditionBased>(&tool.spec->strategy);
+  if (const auto* watch = tool.watch;
       watch != nullptr && watch->every_parts && tool.body->parts_since_inspection >= *watch->every_parts)
     co_await inspect_edge(machine, tool, mean_life_min);
 
