@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstring>
 #include <thread>
+#include <type_traits>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>
@@ -221,16 +222,15 @@ auto Writer::alone(Body&& body) const {
   };
   const Held held(*lock_);
   lock_->check_database();
-  // Looked at again afterwards, on the way out, when nothing else went wrong.
-  struct Still {
-    const Lock& lock;
-    int errors = std::uncaught_exceptions();
-    ~Still() noexcept(false) {
-      if (std::uncaught_exceptions() == errors) lock.check_database();
-    }
-  };
-  const Still still{*lock_};
-  return naming(file_, std::forward<Body>(body));
+  // Looked at again afterwards, when nothing else went wrong.
+  if constexpr (std::is_void_v<std::invoke_result_t<Body>>) {
+    naming(file_, std::forward<Body>(body));
+    lock_->check_database();
+  } else {
+    auto result = naming(file_, std::forward<Body>(body));
+    lock_->check_database();
+    return result;
+  }
 }
 
 Writer::Writer(const std::filesystem::path& file) : file_(file), lock_(std::make_unique<Lock>(file)) {

@@ -132,7 +132,7 @@ TEST_CASE("huge, chunked and contradictory bodies are refused, and cost no memor
     CHECK(parse_answer(shown.raw(post + both)).status == 400);
   const std::string chunked = post + "Transfer-Encoding: chunked\r\n\r\n";
   for (const char* bad : {"zz\r\n", "-1\r\n", "ffffffffffffffffff\r\n", "2\r\n{}x\r\n"})
-    CHECK(parse_answer(shown.raw(chunked + bad)).status >= 400);
+    CHECK_THAT(shown.raw(chunked + bad), !Catch::Contains("HTTP/1.1 2"));  // refused, or hung up on
   const auto swallowed = [&](const std::string& head, const std::string& piece) {
     const Socket socket(shown.server.port());
     REQUIRE(socket.send(head));

@@ -55,8 +55,9 @@ class Served {
  public:
   /// `before` stands in front of the program, as "LD_PRELOAD=...".
   Served(const std::string& db, const std::string& flags, const std::string& said,
-         const std::string& before = "")
-      : process_(::fork()) {
+         const std::string& before = "") {
+    std::filesystem::remove(said);  // of the one before
+    process_ = ::fork();
     if (process_ == 0) {
       ::setpgid(0, 0);
       const std::string line = before + " exec " + std::string(VERSTAT_PROGRAM) + " serve --port 0 --db " +
@@ -109,7 +110,7 @@ class Served {
   [[nodiscard]] web_test::Answer get(const std::string& target) const { return ask("GET", target); }
 
  private:
-  pid_t process_;
+  pid_t process_ = -1;
   std::uint16_t port_ = 0;
 };
 
