@@ -33,6 +33,15 @@ inline double processor_s(pid_t process) {
   return (user + system) / static_cast<double>(::sysconf(_SC_CLK_TCK));
 }
 
+/// Seconds that the first thread of a process has stood ready while others had the processors.
+inline double queued_s(pid_t process) {
+  std::ifstream in("/proc/" + std::to_string(process) + "/schedstat");
+  double ran_ns = 0;
+  double waited_ns = 0;
+  in >> ran_ns >> waited_ns;
+  return 1e-9 * waited_ns;
+}
+
 /// A line of /proc/PID/status in its unit: "VmRSS" in kB, "Threads".
 inline long status_of(pid_t process, const std::string& name) {
   std::ifstream in("/proc/" + std::to_string(process) + "/status");
