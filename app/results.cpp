@@ -19,7 +19,8 @@ store::Run record_of(const shop::RunResult& result, const LoadedScenario& loaded
                 .horizon_min = s.simulation.horizon_min,
                 .warmup_min = s.simulation.warmup_min,
                 .elapsed_s = elapsed_s,
-                .provenance = provenance()};
+                .provenance = provenance(),
+                .fingerprint = shop::fingerprint_of(result)};
   run.scenario_text = loaded.text;
   run.currency = s.currency;
   for (std::size_t k = 0; k < result.kpis.size(); ++k) {

@@ -16,6 +16,7 @@ void append(shop::RunResult& to, const shop::RunResult& more) {
   if (to.kpis.size() != more.kpis.size())
     throw std::invalid_argument("two runs of one scenario differ in KPIs");
   to.events += more.events;
+  to.courses.insert(to.courses.end(), more.courses.begin(), more.courses.end());
   to.values.insert(to.values.end(), more.values.begin(), more.values.end());
   std::vector<std::optional<double>> column(to.values.size());
   for (std::size_t k = 0; k < to.kpis.size(); ++k) {

@@ -3,6 +3,7 @@
 #include <chrono>
 #include <cstring>
 #include <thread>
+#include <type_traits>
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fcntl.h>
@@ -221,16 +222,15 @@ auto Writer::alone(Body&& body) const {
   };
   const Held held(*lock_);
   lock_->check_database();
-  // Looked at again afterwards, on the way out, when nothing else went wrong.
-  struct Still {
-    const Lock& lock;
-    int errors = std::uncaught_exceptions();
-    ~Still() noexcept(false) {
-      if (std::uncaught_exceptions() == errors) lock.check_database();
-    }
-  };
-  const Still still{*lock_};
-  return naming(file_, std::forward<Body>(body));
+  // Looked at again afterwards, when nothing else went wrong.
+  if constexpr (std::is_void_v<std::invoke_result_t<Body>>) {
+    naming(file_, std::forward<Body>(body));
+    lock_->check_database();
+  } else {
+    auto result = naming(file_, std::forward<Body>(body));
+    lock_->check_database();
+    return result;
+  }
 }
 
 Writer::Writer(const std::filesystem::path& file) : file_(file), lock_(std::make_unique<Lock>(file)) {
@@ -264,7 +264,8 @@ std::int64_t Writer::add_run(const Run& run) {
     SQLite::Statement add(
         *db_,
         "INSERT INTO run(label, scenario_id, changes, seed, replications, horizon_min, warmup_min, "
-        "elapsed_s, version, platform, created, currency) VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
+        "elapsed_s, version, platform, created, currency, fingerprint) "
+        "VALUES(?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)");
     add.bind(1, run.header.label);
     add.bind(2, scenario_id(*db_, run.header.scenario_name, run.scenario_text));
     add.bind(3, run.header.changes);
@@ -277,6 +278,7 @@ std::int64_t Writer::add_run(const Run& run) {
     add.bind(10, run.header.provenance.platform);
     add.bind(11, run.header.provenance.created);
     add.bind(12, run.currency);
+    add.bind(13, run.header.fingerprint);
     add.exec();
     const std::int64_t id = db_->getLastInsertRowid();
     SQLite::Statement add_kpi(*db_, "INSERT INTO run_kpi VALUES(?, ?, ?, ?, ?, ?)");
@@ -466,7 +468,7 @@ namespace {
 constexpr const char* run_columns =
     "run.id, run.label, scenario.name, run.changes, run.seed, run.replications, run.horizon_min, "
     "run.warmup_min, "
-    "run.elapsed_s, run.version, run.platform, run.created";
+    "run.elapsed_s, run.version, run.platform, run.created, run.fingerprint";
 RunHeader run_header(SQLite::Statement& row) {
   return {.id = row.getColumn(0).getInt64(),
           .label = row.getColumn(1).getString(),
@@ -478,7 +480,8 @@ RunHeader run_header(SQLite::Statement& row) {
           .warmup_min = row.getColumn(7).getDouble(),
           .elapsed_s = row.getColumn(8).getDouble(),
           .provenance = {row.getColumn(9).getString(), row.getColumn(10).getString(),
-                         row.getColumn(11).getString()}};
+                         row.getColumn(11).getString()},
+          .fingerprint = row.getColumn(12).getString()};
 }
 
 constexpr const char* study_columns =
@@ -529,8 +532,8 @@ std::optional<Run> Reader::run(std::int64_t id, bool replications) const {
       q.bind(1, id);
       if (!q.executeStep()) return std::nullopt;
       run.header = run_header(q);
-      run.scenario_text = q.getColumn(12).getString();
-      run.currency = q.getColumn(13).getString();
+      run.scenario_text = q.getColumn(13).getString();
+      run.currency = q.getColumn(14).getString();
     }
     {
       SQLite::Statement q(*db_,

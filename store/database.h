@@ -21,7 +21,7 @@ class StoreError : public std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-inline constexpr int schema_version = 2;
+inline constexpr int schema_version = 3;
 
 class Writer {
  public:

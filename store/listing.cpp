@@ -188,11 +188,13 @@ ListPage<RunHeader> Listing::runs(const ListQuery& query) const {
                                   : "(SELECT mean FROM run_kpi JOIN kpi ON kpi.id = run_kpi.kpi_id "
                                     "WHERE run_kpi.run_id = run.id AND kpi.name = ? LIMIT 1)";
     SQLite::Statement q(
-        *db_, fmt::format("SELECT run.id, run.label, scenario.name, run.changes, run.seed, run.replications, "
-                          "run.horizon_min, run.warmup_min, run.elapsed_s, run.version, run.platform, "
-                          "run.created FROM run JOIN scenario ON scenario.id = run.scenario_id WHERE {} "
-                          "ORDER BY {} {} NULLS LAST, run.id DESC LIMIT ? OFFSET ?",
-                          where.sql, order, query.descending ? "DESC" : "ASC"));
+        *db_,
+        fmt::format(
+            "SELECT run.id, run.label, scenario.name, run.changes, run.seed, run.replications, "
+            "run.horizon_min, run.warmup_min, run.elapsed_s, run.version, run.platform, "
+            "run.created, run.fingerprint FROM run JOIN scenario ON scenario.id = run.scenario_id WHERE {} "
+            "ORDER BY {} {} NULLS LAST, run.id DESC LIMIT ? OFFSET ?",
+            where.sql, order, query.descending ? "DESC" : "ASC"));
     int index = bind_all(q, where.values);
     if (column == nullptr) q.bind(++index, query.sort);
     q.bind(++index, query.limit);
@@ -208,7 +210,8 @@ ListPage<RunHeader> Listing::runs(const ListQuery& query) const {
                            .warmup_min = q.getColumn(7).getDouble(),
                            .elapsed_s = q.getColumn(8).getDouble(),
                            .provenance = {q.getColumn(9).getString(), q.getColumn(10).getString(),
-                                          q.getColumn(11).getString()}});
+                                          q.getColumn(11).getString()},
+                           .fingerprint = q.getColumn(12).getString()});
     return page;
   });
 }

@@ -42,6 +42,9 @@ struct RunHeader {
   double warmup_min = 0;
   double elapsed_s = 0;
   Provenance provenance;
+  /// Hash of all results and of the course of events, as its maker computes it; empty in runs of schema 2 and
+  /// before.
+  std::string fingerprint = {};
 };
 
 struct Run {

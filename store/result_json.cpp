@@ -34,7 +34,8 @@ ordered_json to_json(const RunHeader& h) {
           {"horizon_min", h.horizon_min},
           {"warmup_min", h.warmup_min},
           {"elapsed_s", h.elapsed_s},
-          {"provenance", provenance(h.provenance)}};
+          {"provenance", provenance(h.provenance)},
+          {"fingerprint", h.fingerprint.empty() ? ordered_json(nullptr) : ordered_json(h.fingerprint)}};
 }
 
 ordered_json to_json(const Run& run, bool replications) {

@@ -128,6 +128,10 @@ ALTER TABLE trial ADD COLUMN replications INTEGER NOT NULL DEFAULT 0;
 ALTER TABLE trial ADD COLUMN outcome BLOB NOT NULL DEFAULT x'';
 CREATE UNIQUE INDEX trial_once ON trial(study_id, stage, variables, first_replication, replications)
   WHERE length(outcome) > 0;
+)sql",
+                              R"sql(
+-- Of all results of the run and the course of its events; empty where it was not kept.
+ALTER TABLE run ADD COLUMN fingerprint TEXT NOT NULL DEFAULT '';
 )sql"};
 static_assert(steps.size() == schema_version);
 

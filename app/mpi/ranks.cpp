@@ -39,6 +39,7 @@ struct TaskHead {
 struct ResultHead {
   std::uint64_t number = 0;
   std::uint64_t events = 0;
+  std::uint64_t course = 0;
   std::uint64_t failed = 0;  // then a text follows, else the values
 };
 
@@ -122,6 +123,7 @@ shop::RunResult Ranks::run(const scenarios::Scenario& scenario, std::uint64_t fi
   shop::RunResult result;
   result.kpis = shop::kpi_infos(scenario);
   result.values.resize(n);
+  result.courses.resize(n);
   std::vector<bool> done(n, false);
   std::vector<std::uint64_t> events(n, 0);
   std::size_t finished = 0;
@@ -154,6 +156,7 @@ shop::RunResult Ranks::run(const scenarios::Scenario& scenario, std::uint64_t fi
         if (!std::isnan(value)) values[k] = value;
       }
       events[rank.index] = head.events;
+      result.courses[rank.index] = head.course;
       done[rank.index] = true;
       ++finished;
       if (progress) progress(static_cast<std::int64_t>(finished), count);
@@ -187,6 +190,7 @@ shop::RunResult Ranks::run(const scenarios::Scenario& scenario, std::uint64_t fi
       const shop::RunResult one = shop::run_replications(scenario, first + index, 1, 1);
       result.values[index] = one.values.front();
       events[index] = one.events;
+      result.courses[index] = one.courses.front();
       done[index] = true;
       ++finished;
       if (progress) progress(static_cast<std::int64_t>(finished), count);
@@ -245,10 +249,11 @@ void serve_rank_0() {
       std::vector<double> values;
       for (const auto& value : run.values.front())
         values.push_back(value.value_or(std::numeric_limits<double>::quiet_NaN()));
-      answer = message(ResultHead{head.number, run.events, 0}, values.data(), values.size() * sizeof(double));
+      answer = message(ResultHead{head.number, run.events, run.courses.front(), 0}, values.data(),
+                       values.size() * sizeof(double));
     } catch (const std::exception& e) {
       known.clear();
-      answer = message(ResultHead{head.number, 0, 1}, e.what(), std::strlen(e.what()));
+      answer = message(ResultHead{head.number, 0, 0, 1}, e.what(), std::strlen(e.what()));
     }
     MPI_Send(answer.data(), static_cast<int>(answer.size()), MPI_BYTE, 0, result_tag, MPI_COMM_WORLD);
   }

@@ -26,7 +26,7 @@ _verstat() {
     "models/doc") words="-h --help --out --points" ;;
     "models/count") words="-h --help --points --json" ;;
     "models/eval") words="-h --help --inputs --batch --source --json" ;;
-    "runs") words="-h --help --run --study --all-replications --json --db" ;;
+    "runs") words="-h --help --run --study --all-replications --verify --threads --json --db" ;;
     "fit") words="life taylor downtime arrivals cycle value -h --help" ;;
     "fit/life") words="-h --help --column --encoding --separator --decimal --sheet --duplicates --confidence --seed --json --regime --planned-cause --failure-cause --out --library --tool --gamma --bootstrap --to --speed --feed --depth --min-per-part" ;;
     "fit/taylor") words="-h --help --column --encoding --separator --decimal --sheet --duplicates --confidence --seed --json --out --library --criterion --material --tool --at --pool-laboratories --to" ;;

@@ -36,7 +36,7 @@ std::string Value::to_string() const {
   } else {
     out = "null";
   }
-  if (out.size() > longest + 3) out = out.substr(0, longest) + "...";
+  if (out.size() > longest + 3) out.replace(longest, std::string::npos, "...");
   return out;
 }
 

@@ -75,6 +75,9 @@ class Simulation : public detail::Engine {
 
   /// Number of events executed so far.
   [[nodiscard]] std::uint64_t events_executed() const noexcept { return executed_; }
+  /// A hash of the times of all events executed so far, bit for bit and in their order. Two runs that took
+  /// different courses differ in it, with a chance of 2^-64 that they do not.
+  [[nodiscard]] std::uint64_t course() const noexcept { return times_; }
   /// True when no event is pending.
   [[nodiscard]] bool empty() const noexcept { return list_.empty(); }
   /// Number of events pending.

@@ -52,6 +52,20 @@ void pool_unattended_intervals(RunResult& result) {
 
 }  // namespace
 
+std::string fingerprint_of(const RunResult& result) {
+  if (result.courses.size() != result.values.size()) return {};
+  Fingerprint all;
+  for (const KpiInfo& kpi : result.kpis) all.add(std::string_view(kpi.name));
+  for (const auto& replication : result.values)
+    for (const auto& value : replication) {
+      all.add(static_cast<std::uint64_t>(value.has_value()));
+      all.add(value.value_or(0.0));
+    }
+  all.add(result.events);
+  for (const std::uint64_t course : result.courses) all.add(course);
+  return fmt::format("{:016x}", all.value());
+}
+
 RunResult run_scenario(const scenarios::Scenario& scenario, int threads, const Progress& progress,
                        Checks checks) {
   return run_replications(scenario, 0, scenario.simulation.replications, threads, progress, checks);
@@ -72,6 +86,7 @@ RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t fi
   struct Outcome {
     std::vector<std::optional<double>> values;
     std::uint64_t events;
+    std::uint64_t course;
     std::uint64_t event_order;
     std::vector<std::string> broken_laws;
     std::string standstill;
@@ -79,7 +94,8 @@ RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t fi
   const auto one = [&](std::size_t replication) {
     Shop shop(scenario, first + replication);
     if (checks == Checks::on) shop.watch_event_order();
-    Outcome outcome{shop.run(), shop.events_executed(), shop.event_order(), {}, shop.standstill()};
+    Outcome outcome{shop.run(), shop.events_executed(), shop.course(), shop.event_order(),
+                    {},         shop.standstill()};
     if (checks == Checks::on)
       for (const std::string& law : shop.audit())
         outcome.broken_laws.push_back(fmt::format("replication {}: {}", first + replication, law));
@@ -94,6 +110,7 @@ RunResult run_replications(const scenarios::Scenario& scenario, std::uint64_t fi
   Fingerprint event_order;
   for (Outcome& outcome : outcomes) {
     result.events += outcome.events;
+    result.courses.push_back(outcome.course);
     event_order.add(outcome.event_order);
     for (std::string& law : outcome.broken_laws) result.broken_laws.push_back(std::move(law));
     if (!outcome.standstill.empty())

@@ -3,6 +3,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "scenarios/scenario.h"
@@ -25,6 +26,8 @@ struct RunResult {
   std::vector<std::vector<std::optional<double>>> values;
   std::vector<Estimate> estimates;  ///< one per KPI, 95 %
   std::uint64_t events = 0;
+  /// Per replication: a hash of the times of all its events in their order. Empty in a result that was read.
+  std::vector<std::uint64_t> courses = {};
   /// With Checks::on: which process went on when, over all replications in their order.
   std::optional<std::uint64_t> event_order = {};
   /// With Checks::on: laws of conservation that do not hold, in words. Empty when all is well.
@@ -35,6 +38,11 @@ struct RunResult {
   /// Index of the KPI with this name; none when there is none.
   [[nodiscard]] std::optional<std::size_t> index_of(const std::string& kpi) const;
 };
+
+/// Fingerprint of a run, 16 hexadecimal digits: every bit of every KPI of every replication under its name,
+/// the number of events, and when each of them happened, in their order. Empty when the result was read and
+/// not computed. The same for any number of threads or ranks; bits are promised per version and platform.
+[[nodiscard]] std::string fingerprint_of(const RunResult& result);
 
 /// Called after every finished replication, from any thread but never twice at once.
 using Progress = std::function<void(std::int64_t done, std::int64_t of)>;

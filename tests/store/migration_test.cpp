@@ -26,9 +26,10 @@ struct Folder {
   ~Folder() { fs::remove_all(path); }
 };
 
-// As version 0.1.0 wrote it: one study of 4 trials, two runs.
-void make_schema_1(const fs::path& file) {
-  std::ifstream in(VERSTAT_SOURCE_DIR "/tests/store/schema1.sql");
+// As a program of that schema wrote it. 1: one study of 4 trials, two runs; 2: one run of 47 KPIs in two
+// replications, one study of 3 trials.
+void make_schema(int schema, const fs::path& file) {
+  std::ifstream in(VERSTAT_SOURCE_DIR "/tests/store/schema" + std::to_string(schema) + ".sql");
   std::ostringstream text;
   text << in.rdbuf();
   SQLite::Database db(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
@@ -40,7 +41,7 @@ void make_schema_1(const fs::path& file) {
 TEST_CASE("a database of schema 1 is brought up to date, and copied before") {
   const Folder folder;
   const fs::path file = folder.path / "old.db";
-  make_schema_1(file);
+  make_schema(1, file);
   CHECK_THROWS_WITH(Reader(file), Catch::Contains("has schema 1"));
   { const Writer writer(file); }
   const auto study = Reader(file).study(1);
@@ -63,6 +64,47 @@ TEST_CASE("a database of schema 1 is brought up to date, and copied before") {
   SQLite::Database kept(file.string() + ".schema1.bak");
   CHECK(kept.execAndGet("PRAGMA user_version").getInt() == 1);
   CHECK(kept.execAndGet("SELECT count(*) FROM trial").getInt() == 4);
+}
+
+TEST_CASE("a database of schema 2 keeps every value, and its runs have no fingerprint yet") {
+  const Folder folder;
+  const fs::path file = folder.path / "old.db";
+  make_schema(2, file);
+  const auto values = [&](const fs::path& of) {
+    SQLite::Database db(of.string());
+    SQLite::Statement q(db,
+                        "SELECT run_id, replication, position, value FROM replication_kpi ORDER BY 1, 2, 3");
+    std::vector<double> all;
+    while (q.executeStep())
+      for (int c = 0; c < 4; ++c) all.push_back(q.getColumn(c).getDouble());
+    return all;
+  };
+  const std::vector<double> before = values(file);
+  REQUIRE(before.size() == 4 * 94);
+  CHECK_THROWS_WITH(Reader(file), Catch::Contains("has schema 2") && Catch::Contains("up to date"));
+  Run run;
+  {
+    Writer writer(file);
+    run = Reader(file).run(1).value();
+    CHECK(run.header.fingerprint.empty());
+    run.header.fingerprint = "0123456789abcdef";
+    CHECK(writer.add_run(run) == 2);
+  }
+  CHECK(Reader(file).run(2)->header.fingerprint == "0123456789abcdef");
+  CHECK(Listing(file).runs({}).rows.at(0).fingerprint == "0123456789abcdef");
+  CHECK(Listing(file).runs({}).rows.at(1).fingerprint.empty());
+  CHECK(Reader(file).study(1)->trials.size() == 3);
+  std::vector<double> after = values(file);
+  after.resize(before.size());  // the second run's come behind
+  CHECK(after == before);
+  SQLite::Database migrated(file.string());
+  CHECK(migrated.execAndGet("PRAGMA user_version").getInt() == schema_version);
+  CHECK(migrated.execAndGet("PRAGMA integrity_check").getString() == "ok");
+  CHECK_FALSE(SQLite::Statement(migrated, "PRAGMA foreign_key_check").executeStep());
+  const fs::path backup = file.string() + ".schema2.bak";
+  CHECK(SQLite::Database(backup.string()).execAndGet("PRAGMA user_version").getInt() == 2);
+  CHECK(values(backup) == before);
+  CHECK_FALSE(fs::exists(file.string() + ".schema1.bak"));
 }
 
 TEST_CASE("a trial is stored once, by the bits of its variables and its replications") {

@@ -320,22 +320,34 @@ TEST_CASE("a connection is used again, and requests sent together are answered i
   CHECK(parse_answer(both.substr(second)).parsed()["id"] == 3);
 }
 
-TEST_CASE("connections are limited, and room returns when one ends") {
-  const Serving serving({.most_connections = 3});
-  std::optional<Socket> a;
-  std::optional<Socket> b;
-  std::optional<Socket> c;
-  for (auto* socket : {&a, &b, &c}) socket->emplace(serving.port());
-  // A fourth is hung up on at once, long before any timeout.
+TEST_CASE("connections are limited: who is served keeps his place, who idles longest makes room") {
+  const Serving serving({.most_connections = 3, .most_streams = 3}, "", "sleep 60");
   const auto start = std::chrono::steady_clock::now();
-  int status = 200;
-  while (status == 200 && std::chrono::steady_clock::now() - start < 5s)
-    status = serving.get("/api/v1/runs").status;
-  CHECK(status == 0);
-  a.reset();
-  b.reset();
-  c.reset();
-  while (status != 200 && std::chrono::steady_clock::now() - start < 10s)
+  {
+    // Silence and half a request do not shut anybody out.
+    const Socket idle(serving.port());
+    const Socket half(serving.port());
+    REQUIRE(half.send("GET /api/v1/ru"));
+    const Socket third(serving.port());
+    std::this_thread::sleep_for(50ms);
+    CHECK(serving.get("/api/v1/runs").status == 200);
+    CHECK(idle.read_all().empty());  // the first that came was hung up on, long before any timeout
+    CHECK(std::chrono::steady_clock::now() - start < 5s);
+    REQUIRE(half.send(fmt::format("ns HTTP/1.1\r\nHost: {}\r\nConnection: close\r\n\r\n", serving.host())));
+    CHECK(parse_answer(half.read_all()).status == 200);
+  }
+  // Three who are being served: a fourth is hung up on at once, and finds room when one of them goes.
+  REQUIRE(serving.post("/api/v1/jobs", R"({"kind": "trace", "run": 1})").status == 202);
+  std::optional<Socket> streams[3];
+  for (auto& stream : streams) {
+    stream.emplace(serving.port());
+    stream->send(fmt::format("GET /api/v1/jobs/1/events HTTP/1.1\r\nHost: {}\r\n\r\n", serving.host()));
+    REQUIRE_THAT(stream->read_piece(), Catch::Contains("200 OK"));
+  }
+  CHECK(serving.get("/api/v1/runs").status == 0);
+  for (auto& stream : streams) stream.reset();
+  int status = 0;
+  while (status != 200 && std::chrono::steady_clock::now() - start < 20s)
     status = serving.get("/api/v1/runs").status;
   CHECK(status == 200);
 }

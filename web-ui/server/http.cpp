@@ -4,6 +4,8 @@
 #include <atomic>
 #include <cctype>
 #include <csignal>
+#include <list>
+#include <mutex>
 #include <optional>
 #include <thread>
 #include <vector>
@@ -11,6 +13,7 @@
 #include <boost/asio/dispatch.hpp>
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/asio/signal_set.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/strand.hpp>
@@ -33,6 +36,8 @@ constexpr std::size_t buffer_bytes = 64U << 10U;
 // early refusal this much is read and thrown away.
 constexpr std::size_t drained_bytes = 4U << 20U;
 constexpr std::chrono::seconds drain_timeout{2};
+// Connections on their way out that do not count for a moment.
+constexpr std::size_t most_leaving = 16;
 
 Request request_of(const http::request<http::string_body>& message) {
   Request request;
@@ -50,23 +55,58 @@ Request request_of(const http::request<http::string_body>& message) {
   return request;
 }
 
+class Session;
+
+/// Connections that wait for their clients, who have sent nothing yet or half a request: the longest first.
+/// When all places are taken the first of them makes room, so that whoever hoards connections shuts nobody
+/// out.
+class WaitingRoom {
+ public:
+  using Place = std::list<std::weak_ptr<Session>>::iterator;
+
+  Place enter(std::weak_ptr<Session> session) {
+    const std::lock_guard lock(mutex_);
+    return waiting_.insert(waiting_.end(), std::move(session));
+  }
+  void leave(Place place) {
+    const std::lock_guard lock(mutex_);
+    waiting_.erase(place);
+  }
+  /// The one that has waited longest and was not asked before; null when nobody waits.
+  std::shared_ptr<Session> longest() {
+    const std::lock_guard lock(mutex_);
+    for (std::weak_ptr<Session>& one : waiting_)
+      if (auto session = one.lock()) {
+        one.reset();
+        return session;
+      }
+    return nullptr;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::list<std::weak_ptr<Session>> waiting_;
+};
+
 /// One connection: reads a request, answers it, reads the next. All its steps run on its strand.
 class Session : public std::enable_shared_from_this<Session> {
  public:
   Session(tcp::socket socket, const HttpOptions& options, const HttpServer::Handler& handler,
-          std::atomic<std::size_t>& open, std::atomic<std::size_t>& streams)
+          std::atomic<std::size_t>& open, std::atomic<std::size_t>& streams, WaitingRoom& room)
       : stream_(std::move(socket)),
         pause_(stream_.get_executor()),
         buffer_(buffer_bytes),
         options_(options),
         handler_(handler),
         open_(open),
-        streams_(streams) {
+        streams_(streams),
+        room_(room) {
     open_.fetch_add(1);
   }
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
   ~Session() {
+    come_back();
     open_.fetch_sub(1);
     if (events_) streams_.fetch_sub(1);
   }
@@ -78,8 +118,24 @@ class Session : public std::enable_shared_from_this<Session> {
     net::dispatch(stream_.get_executor(), [self = shared_from_this()] { self->wait_for_request(); });
   }
 
+  /// Its place is needed: hangs up if it still waits for the client. May be called from any thread.
+  void make_room() {
+    net::post(stream_.get_executor(), [self = shared_from_this()] {
+      if (self->place_) self->close();
+    });
+  }
+
  private:
+  void wait_for_client() {
+    if (!place_) place_ = room_.enter(weak_from_this());
+  }
+  void come_back() {
+    if (place_) room_.leave(*place_);
+    place_.reset();
+  }
+
   void wait_for_request() {
+    wait_for_client();
     if (buffer_.size() > 0) return read_request();  // the next one has come with the last
     stream_.expires_after(options_.idle_timeout);
     stream_.async_read_some(buffer_.prepare(4096),
@@ -100,6 +156,7 @@ class Session : public std::enable_shared_from_this<Session> {
   }
 
   void on_request(error_code error) {
+    come_back();
     if (!error) {
       const auto& message = parser_->get();
       const Request request = request_of(message);
@@ -233,6 +290,8 @@ class Session : public std::enable_shared_from_this<Session> {
   const HttpServer::Handler& handler_;
   std::atomic<std::size_t>& open_;
   std::atomic<std::size_t>& streams_;
+  WaitingRoom& room_;
+  std::optional<WaitingRoom::Place> place_;  // while the client is waited for
   std::shared_ptr<EventStream> events_;
   std::optional<http::response<http::empty_body>> header_;
   std::optional<http::response_serializer<http::empty_body>> serializer_;
@@ -304,9 +363,17 @@ class HttpServer::Impl {
         });
         return;
       }
-      // Over the limit the socket is closed unanswered: an answer would need a connection's memory.
-      if (open_.load() < options_.most_connections)
-        std::make_shared<Session>(std::move(socket), options_, handler_, open_, streams_)->start();
+      // Over the limit the socket is closed unanswered, an answer would need a connection's memory; unless
+      // somebody can go for it.
+      const std::size_t open = open_.load();
+      bool room = open < options_.most_connections;
+      if (!room && open < options_.most_connections + most_leaving)
+        if (const auto longest = room_.longest()) {
+          longest->make_room();
+          room = true;
+        }
+      if (room)
+        std::make_shared<Session>(std::move(socket), options_, handler_, open_, streams_, room_)->start();
       accept();
     });
   }
@@ -316,6 +383,7 @@ class HttpServer::Impl {
   Handler handler_;
   std::atomic<std::size_t> open_{0};
   std::atomic<std::size_t> streams_{0};
+  WaitingRoom room_;
   net::io_context context_;
   tcp::acceptor acceptor_;
   net::steady_timer retry_;

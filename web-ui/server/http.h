@@ -15,6 +15,8 @@ struct HttpOptions {
   std::string address = "127.0.0.1";  ///< numeric
   std::uint16_t port = 8080;          ///< 0: any free one
   int threads = 2;
+  /// Beyond them a new connection takes the place of the one that has waited longest for its client; when
+  /// none waits it is hung up on.
   std::size_t most_connections = 256;
   std::size_t most_streams = 48;  ///< of them event streams, which stay open
   std::size_t header_bytes = 16U << 10U;

@@ -379,6 +379,12 @@ class Jobs::Queue {
     const int code = child.wait();
     if (code != 0) {
       message = last_words.empty() ? fmt::format("the program ended with code {}", code) : last_words;
+      // Nobody but the system or its administrator kills a job without being asked.
+      if (code == 128 + SIGKILL && !asked)
+        message =
+            "the program was killed from outside, most likely because the memory of the machine ran out: "
+            "fewer "
+            "machines, replications or threads need less";
       return asked ? JobState::cancelled : JobState::failed;
     }
     if (out.size() > most_output)

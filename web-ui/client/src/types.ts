@@ -37,6 +37,8 @@ export interface RunHeader extends Partial<Annotation> {
   warmup_min: number;
   elapsed_s: number;
   provenance: Provenance;
+  /** Of every bit of the results and the course of events; null in runs of older programs. */
+  fingerprint?: string | null;
   /** Only in lists, and only when asked for with ?kpis=. */
   kpis?: Kpi[];
   currency?: string;

@@ -67,6 +67,7 @@ export const en = {
   'none': 'none',
   'run.title': 'Run {id}',
   'run.facts': '{replications} replications of {time} min after {warmup} min of warm-up, seed {seed}. Intervals are 95 %.',
+  'run.fingerprint': 'Fingerprint {fingerprint}.',
   'run.madeBy': 'Made {created} by Verstat {version} on {platform}.',
   'run.changes': 'Changes against the scenario file',
   'run.warnings': 'This shop breaks limits: its figures hold only if that is possible at all.',

@@ -69,6 +69,7 @@ export const uk: Record<Key, string> = {
   'none': 'немає',
   'run.title': 'Прогін {id}',
   'run.facts': 'Повторень: {replications} по {time} хв після розігріву {warmup} хв, зерно {seed}. Довірчі інтервали 95 %.',
+  'run.fingerprint': 'Відбиток {fingerprint}.',
   'run.madeBy': 'Зроблено {created}, Verstat {version}, {platform}.',
   'run.changes': 'Зміни відносно файлу сценарію',
   'run.warnings': 'Цей цех порушує обмеження: його показники правдиві, лише якщо так узагалі можна працювати.',

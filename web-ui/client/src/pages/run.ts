@@ -256,6 +256,7 @@ export const runPage: PageMaker = async (context, [id = '']) => {
         t('run.facts', { replications: whole(run.replications), time: whole(run.horizon_min - run.warmup_min), warmup: whole(run.warmup_min), seed: run.seed }),
         ' ',
         t('run.madeBy', { created: dateTime(run.provenance.created), version: run.provenance.version, platform: run.provenance.platform }),
+        run.fingerprint ? ` ${t('run.fingerprint', { fingerprint: run.fingerprint })}` : '',
       ),
       changes.length > 0
         ? h('p', { class: 'facts' }, `${t('run.changes')}: `, changes.map((c, k) => [k > 0 ? ', ' : '', h('code', {}, c.value ? `${c.pointer} = ${c.value}` : c.pointer)]))
