@@ -13,13 +13,14 @@
 //   --results FILE  every verdict, written after each fault; a run that was stopped goes on where it stopped
 //   --tree DIR      the clone in which it builds, made and updated when needed (default build/mutation): the tree with this
 //                   script is never changed, and faults are seeded in what is committed
+//   --jobs N        faults at a time (default 2)
 //   --except FILE   lines "file: from -> to" of faults that change nothing anybody could see, each under a # line with the
 //                   reason: they are told apart from survivors (default tools/equivalent-mutants.txt)
 // A fault that does not compile, or from which the compiler makes the same program, is not counted.
-import {execFileSync, spawnSync} from 'node:child_process';
+import {execFileSync, spawn, spawnSync} from 'node:child_process';
 import {createHash} from 'node:crypto';
-import {existsSync, readdirSync, readFileSync, renameSync, statSync, writeFileSync} from 'node:fs';
-import {dirname, join, resolve} from 'node:path';
+import {existsSync, mkdirSync, readdirSync, readFileSync, renameSync, rmSync, statSync, writeFileSync} from 'node:fs';
+import {dirname, join, relative, resolve} from 'node:path';
 import {fileURLToPath} from 'node:url';
 
 const root = join(dirname(fileURLToPath(import.meta.url)), '..');
@@ -28,7 +29,7 @@ function fail(text) {
   process.exit(2);
 }
 
-const options = {files: [], test: [], count: '20', seed: '1', results: '', tree: join(root, 'build/mutation'),
+const options = {files: [], test: [], count: '20', seed: '1', jobs: '2', results: '', tree: join(root, 'build/mutation'),
                  except: join(root, 'tools/equivalent-mutants.txt')};
 const switches = {again: false, report: false};
 for (let k = 2; k < process.argv.length; ++k) {
@@ -52,7 +53,7 @@ const equivalent = new Set(existsSync(options.except)
   ? readFileSync(options.except, 'utf8').split('\n').filter(l => l !== '' && !l.startsWith('#')) : []);
 const wordsOf = f => `${f.file}: ${f.before} -> ${f.after}`;
 const isSurvivor = f => f.verdict === 'survived' && !equivalent.has(wordsOf(f));
-const isCounted = f => f.verdict !== 'not compiled' && f.verdict !== 'same program';
+const isCounted = f => f.verdict === 'noticed' || f.verdict === 'survived';
 
 if (switches.report) {
   const rows = new Map();
@@ -116,7 +117,7 @@ const slips = [
   [/\+\+/g, ['--']], [/ \+= /g, [' -= ', ' = ']], [/ -= /g, [' += ']],
   [/\bstd::max\b/g, ['std::min']], [/\bstd::min\b/g, ['std::max']], [/\bstd::exp\b/g, ['std::log']],
   [/\bstd::sin\b/g, ['std::cos']], [/\bstd::cos\b/g, ['std::sin']], [/\bstd::sqrt\b/g, ['std::abs']],
-  [/\btrue\b/g, ['false']], [/\bfalse\b/g, ['true']], [/\b1\b(?![.'])/g, ['2']], [/\b0\b(?![.'x])/g, ['1']], [/\b2\b(?![.'])/g, ['3']],
+  [/\btrue\b/g, ['false']], [/\bfalse\b/g, ['true']], [/(?<![.'])\b1\b(?![.'])/g, ['2']], [/(?<![.'])\b0\b(?![.'x])/g, ['1']], [/(?<![.'])\b2\b(?![.'])/g, ['3']],
   // A whole statement is forgotten: a call or an assignment on a line of its own.
   [/^\s+(?!return\b|throw\b|else\b|const\b|case\b|break\b|continue\b|using\b)[a-z_][\w.:>\[\]-]*(\(.*\)| [-+*|]?= .*);\s*$/g, [';']]
 ];
@@ -155,61 +156,136 @@ const testsOf = texts => texts.map(t => {
   const colon = t.indexOf(':');
   return colon < 0 ? {name: t, filter: []} : {name: t.slice(0, colon), filter: [t.slice(colon + 1)]};
 });
-const build = tests => run('ninja', ['-C', join(tree, 'build/release'), ...tests.map(t => `test_${t.name}`)]).status === 0;
-const programOf = name => join(tree, 'build/release', name);
-const programsOf = tests => tests.map(t => `test_${t.name}`).concat(tests.some(t => /^(e2e|faults)$/.test(t.name)) ? ['verstat'] : []);
-const hashOf = tests => programsOf(tests).map(p => createHash('sha256').update(readFileSync(programOf(p))).digest('hex')).join();
+const release = join(tree, 'build/release');
+const programsOf = test => test.name === 'e2e' ? ['test_e2e', 'verstat'] : [`test_${test.name}`];
+const shell = (command, more = {}) => new Promise(done => {
+  const child = spawn('bash', ['-c', command], {cwd: release, stdio: 'ignore', detached: true, ...more});
+  let late = false;
+  const end = () => { try { process.kill(-child.pid, 'SIGKILL'); } catch { /* it has ended by itself */ } };
+  const timer = more.limit === undefined ? undefined : setTimeout(() => { late = true; end(); }, more.limit);
+  running.add(end);
+  child.on('close', (status, signal) => { clearTimeout(timer); running.delete(end); done({status, signal, late}); });
+});
+const running = new Set();
+for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, () => { running.forEach(end => end()); process.exit(130); });
+
+// How each object is compiled and each program linked, from CMake and ninja.
+const compiles = new Map();  // by object: {source, command}
+const links = new Map();     // by program
+const dependents = new Map();  // by header or source: objects
+function readBuild() {
+  for (const entry of JSON.parse(readFileSync(join(release, 'compile_commands.json'), 'utf8'))) {
+    const command = entry.command.slice(entry.command.indexOf('/c++ ') + 5);
+    compiles.set(entry.output ?? / -o (\S+)/.exec(command)[1], {source: entry.file, command});
+  }
+  let object = '';
+  for (const line of run('ninja', ['-C', release, '-t', 'deps']).stdout.split('\n')) {
+    const begin = /^(\S+): #deps/.exec(line);
+    if (begin) object = begin[1];
+    else if (line.startsWith('    ')) {
+      const path = relative(tree, resolve(release, line.trim()));
+      if (!path.startsWith('..')) dependents.set(path, [...(dependents.get(path) ?? []), object]);
+    }
+  }
+}
+function linkOf(program) {
+  if (!links.has(program)) {
+    const command = run('ninja', ['-C', release, '-t', 'commands', program]).stdout.trim().split('\n').at(-1);
+    links.set(program, command);
+  }
+  return links.get(program);
+}
+// Objects that a program is made of, those of its libraries included.
+const libraryOf = object => /CMakeFiles\/verstat_(\w+)\.dir\//.exec(object)?.[1];
+const isPart = (object, link) => link.includes(` ${object} `) || link.includes(` libverstat_${libraryOf(object)}.a `);
+
 const limits = new Map();  // ms per test
-function noticedBy(tests) {
+/// The first of the tests that fails with the programs in a folder; '' when none does.
+async function noticedBy(tests, folder) {
   for (const test of tests) {
     const begin = Date.now();
+    const words = ['--abort', '-w', 'NoTests', ...test.filter].map(w => `'${w}'`).join(' ');
     // A fault may eat memory without end.
-    const command = `ulimit -v 6000000; exec "$0" "$@"`;
-    const outcome = run('bash', ['-c', command, programOf(`test_${test.name}`), '--abort', '-w', 'NoTests', ...test.filter],
-                        {env: {...process.env, RC_PARAMS: 'seed=1'}, timeout: limits.get(test) ?? 600_000, killSignal: 'SIGKILL'});
-    if (outcome.error?.code === 'ETIMEDOUT') return `${test.name} (no end)`;
+    const outcome = await shell(`ulimit -v 6000000; exec ${join(folder, `test_${test.name}`)} ${words}`,
+      {cwd: tree, env: {...process.env, RC_PARAMS: 'seed=1', VERSTAT_PROGRAM: join(folder, 'verstat')}, limit: limits.get(test) ?? 900_000});
+    if (outcome.late) return `${test.name} (no end)`;
     if (outcome.signal !== null || outcome.status > 127) return `${test.name} (crash)`;
     if (outcome.status !== 0) return test.name;
-    if (!limits.has(test)) limits.set(test, 10_000 + 10 * (Date.now() - begin));
+    if (!limits.has(test)) limits.set(test, 20_000 + 10 * (Date.now() - begin));
   }
   return '';
 }
 
-const sets = new Map();  // a set of tests that passes undisturbed, by its words
-function prepared(texts) {
+const sets = new Map();  // sets of tests that pass undisturbed, by their words
+async function prepared(texts) {
   const key = texts.join(' ');
   if (!sets.has(key)) {
     const tests = testsOf(texts);
-    if (!build(tests)) fail(`the undisturbed tree does not build (ninja -C ${tree}/build/release)`);
-    const failing = noticedBy(tests);
+    // Whatever is left over from an earlier commit of the tree is built anew.
+    if (run('ninja', ['-C', release, ...tests.flatMap(programsOf)]).status !== 0)
+      fail(`the undisturbed tree does not build (ninja -C ${release})`);
+    readBuild();
+    const failing = await noticedBy(tests, release);
     if (failing !== '') fail(`${failing} must pass before faults are seeded`);
-    sets.set(key, {tests, whole: hashOf(tests)});
+    sets.set(key, tests);
   }
   return sets.get(key);
 }
 
-let undo = () => {};
-for (const signal of ['SIGINT', 'SIGTERM']) process.on(signal, () => { undo(); process.exit(130); });
-function judge(fault, texts) {
-  const {tests, whole} = prepared(texts);
-  const path = join(tree, fault.file);
-  const text = readFileSync(path, 'utf8');
-  undo = () => writeFileSync(path, text);
+/// Compiles the objects that depend on a file against this text of it; their hashes, or '' when one does not compile.
+async function compile(file, text, objects, folder) {
+  const changed = join(folder, 'source', file);
+  mkdirSync(dirname(changed), {recursive: true});
+  writeFileSync(changed, text);
+  const hash = createHash('sha256');
+  for (const object of objects) {
+    const {source, command} = compiles.get(object);
+    const made = join(folder, object.replaceAll('/', '_'));
+    const plain = command.replace(/ -MD -MT \S+ -MF \S+/, '').replace(/ -o \S+ -c \S+/, '');
+    const from = relative(tree, source) === file ? changed : source;
+    const {status} = await shell(`exec c++ -I${join(folder, 'source')} ${plain} -o ${made} -c ${from}`);
+    if (status !== 0) return '';
+    hash.update(readFileSync(made));
+  }
+  return hash.digest('hex');
+}
+
+const plainHashes = new Map();
+async function judge(fault, texts, folder) {
+  const tests = sets.get(texts.join(' '));
+  const programs = tests.flatMap(programsOf);
+  const objects = [...new Set(dependents.get(fault.file) ?? [])]
+    .filter(o => compiles.has(o) && programs.some(p => isPart(o, linkOf(p))));
+  const text = readFileSync(join(tree, fault.file), 'utf8');
   const lines = text.split('\n');
   const before = lines[fault.line - 1];
   const after = before.slice(0, fault.column) + fault.to + before.slice(fault.column + fault.from.length);
   lines[fault.line - 1] = after;
-  writeFileSync(path, lines.join('\n'));
   const answer = {...fault, before: before.trim(), after: after.trim(), tests: texts};
-  if (!build(tests)) answer.verdict = 'not compiled';
-  else if (hashOf(tests) === whole) answer.verdict = 'same program';
+  rmSync(folder, {recursive: true, force: true});
+  if (!plainHashes.has(fault.file)) plainHashes.set(fault.file, compile(fault.file, text, objects, `${folder}-plain`));
+  const plain = await plainHashes.get(fault.file);
+  const hash = await compile(fault.file, lines.join('\n'), objects, folder);
+  if (objects.length === 0) answer.verdict = 'not in these programs';
+  else if (hash === '') answer.verdict = 'not compiled';
+  else if (hash === plain) answer.verdict = 'same program';
   else {
-    const by = noticedBy(tests);
-    answer.verdict = by === '' ? 'survived' : 'noticed';
-    if (by !== '') answer.by = by;
+    for (const program of programs) {
+      let link = linkOf(program).replace(` -o ${program} `, ` -o ${join(folder, program)} `);
+      for (const object of objects.filter(o => isPart(o, linkOf(program)))) {
+        const made = join(folder, object.replaceAll('/', '_'));
+        // What stands before the libraries is taken instead of the same object in them.
+        link = link.includes(` ${object} `) ? link.replace(` ${object} `, ` ${made} `) : link.replace(/ lib\w+\.a /, ` ${made}$&`);
+      }
+      const {status} = await shell(link);
+      if (status !== 0) answer.verdict = 'not compiled';
+    }
+    if (answer.verdict === undefined) {
+      const by = await noticedBy(tests, folder);
+      answer.verdict = by === '' ? 'survived' : 'noticed';
+      if (by !== '') answer.by = by;
+    }
   }
-  undo();
-  undo = () => {};
   if (isCounted(answer)) {
     const word = answer.verdict === 'noticed' ? `noticed by ${answer.by}` : equivalent.has(wordsOf(answer)) ? 'equivalent' : 'NOT NOTICED';
     console.log(`${word.padEnd(24)} ${fault.file}:${fault.line}: ${answer.before}   ->   ${answer.after}`);
@@ -217,34 +293,49 @@ function judge(fault, texts) {
   return answer;
 }
 
+/// Several at a time, each in a folder of its own.
+async function inParallel(work) {
+  const queue = work[Symbol.iterator]();
+  await Promise.all(Array.from({length: Number(options.jobs)}, async (_, lane) => {
+    for (let next = queue.next(); !next.done; next = queue.next()) await next.value(join(tree, `build/fault-${process.pid}-${lane}`));
+  }));
+  for (const name of readdirSync(join(tree, 'build')))
+    if (name.startsWith(`fault-${process.pid}-`)) rmSync(join(tree, 'build', name), {recursive: true});
+}
+
 if (run('cmake', ['--preset', 'release', '-DVERSTAT_WEB=OFF', '-DVERSTAT_BENCH=OFF', '-DVERSTAT_MPI=OFF']).status !== 0)
   fail(`cmake --preset release in ${tree} does not work`);
 if (switches.again) {
-  for (let k = 0; k < results.length; ++k) {
-    const f = results[k];
-    if (!isSurvivor(f)) continue;
+  const survivors = results.filter(isSurvivor);
+  for (const f of survivors) await prepared(options.test.length > 0 ? options.test : f.tests);
+  await inParallel(survivors.map(f => async folder => {
     // Lines may have moved since: the fault belongs to the same words.
     const lines = readFileSync(join(tree, f.file), 'utf8').split('\n');
     const places = lines.flatMap((l, at) => l.trim() === f.before ? [at + 1] : []);
     const line = places.sort((a, b) => Math.abs(a - f.line) - Math.abs(b - f.line))[0];
-    if (line === undefined) {
+    const {file, column, from, to} = f;
+    const answer = line === undefined ? undefined : await judge({file, line, column, from, to}, options.test.length > 0 ? options.test : f.tests, folder);
+    const at = results.indexOf(f);
+    if (answer === undefined) {
       console.log(`no longer there          ${wordsOf(f)}`);
-      results.splice(k--, 1);
+      results.splice(at, 1);
     } else {
-      const {file, column, from, to} = f;
-      results[k] = judge({file, line, column, from, to}, options.test.length > 0 ? options.test : f.tests);
+      results[at] = answer;
     }
     keep();
-  }
+  }));
 } else {
+  await prepared(options.test);
   const same = (a, b) => a.file === b.file && a.line === b.line && a.column === b.column && a.from === b.from && a.to === b.to;
   const ours = () => results.filter(f => files.includes(f.file) && isCounted(f)).length;
-  for (const fault of faults()) {
-    if (ours() >= count) break;
-    if (results.some(f => same(f, fault))) continue;
-    results.push(judge(fault, options.test));
-    keep();
+  function* work() {
+    for (const fault of faults()) {
+      if (ours() >= count) return;
+      if (results.some(f => same(f, fault))) continue;
+      yield async folder => { results.push(await judge(fault, options.test, folder)); keep(); };
+    }
   }
+  await inParallel(work());
 }
 const counted = results.filter(isCounted);
 const noticed = counted.filter(f => f.verdict === 'noticed').length;
