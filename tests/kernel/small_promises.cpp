@@ -190,3 +190,167 @@ TEST_CASE("ten thousand events pushed in bursts leave in order", "[event_list]")
     CHECK(list.size() == 0);
   }
 }
+
+TEST_CASE("laws without scatter are steps", "[distribution]") {
+  const double infinity = std::numeric_limits<double>::infinity();
+  for (const Distribution& law :
+       {Distribution::constant(3.0), Distribution::normal(3.0, 0.0), Distribution::lognormal(3.0, 0.0)}) {
+    INFO(law.describe());
+    CHECK(law.cdf(2.999) == 0.0);
+    CHECK(law.cdf(3.001) == 1.0);
+    CHECK(law.quantile(0.0) == Approx(3.0).epsilon(1e-15));
+    CHECK(law.quantile(0.3) == Approx(3.0).epsilon(1e-15));
+    CHECK(law.quantile(1.0) == Approx(3.0).epsilon(1e-15));
+    CHECK(law.mean() == Approx(3.0).epsilon(1e-15));
+    CHECK(law.variance() == 0.0);
+    CHECK(law.cdf(-infinity) == 0.0);
+  }
+  CHECK(Distribution::constant(3.0).cdf(3.0) == 1.0);
+  CHECK(Distribution::normal(3.0, 0.0).cdf(3.0) == 1.0);
+}
+
+TEST_CASE("a discrete law counts what comes twice as one value", "[distribution]") {
+  const Distribution dice = Distribution::discrete({2.0, 1.0, 2.0, 5.0}, {1.0, 2.0, 1.0, 4.0});
+  CHECK(dice.describe() == "discrete(values 3)");
+  CHECK(dice.cdf(0.5) == 0.0);
+  CHECK(dice.cdf(1.0) == 0.25);
+  CHECK(dice.cdf(2.0) == 0.5);
+  CHECK(dice.cdf(4.9) == 0.5);
+  CHECK(dice.cdf(5.0) == 1.0);
+  CHECK(dice.quantile(0.0) == 1.0);
+  CHECK(dice.quantile(1.0) == 5.0);
+  CHECK(dice.mean() == Approx(0.25 * 1 + 0.25 * 2 + 0.5 * 5));
+}
+
+TEST_CASE("every range of a law is refused with its parameter and value", "[distribution]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  using D = Distribution;
+  CHECK_THROWS_WITH(D::triangular(5.0, 5.0, 5.0), "distribution triangular: low = 5, allowed < high = 5");
+  CHECK_THROWS_WITH(D::triangular(1.0, 0.5, 5.0), Catch::Contains("mode = 0.5, allowed from low = 1"));
+  CHECK_THROWS_WITH(D::normal(1.0, -2.0), "distribution normal: sd = -2, allowed >= 0");
+  CHECK_THROWS_WITH(D::truncated_normal(0.0, 1.0, 2.0, 2.0), Catch::Contains("low = 2, allowed < high = 2"));
+  CHECK_THROWS_WITH(D::truncated_normal(0.0, 1.0, -80.0, -70.0),
+                    Catch::Contains("probability of the interval"));
+  CHECK_THROWS_WITH(D::beta(1.0, 1.0, 4.0, 4.0), Catch::Contains("low = 4, allowed < high = 4"));
+  CHECK_THROWS_WITH(D::pert(4.0, 4.0, 4.0), Catch::Contains("low = 4, allowed < high = 4"));
+  CHECK_THROWS_WITH(D::pert(1.0, 0.0, 4.0), Catch::Contains("mode = 0, allowed from low = 1 to high = 4"));
+  CHECK_THROWS_WITH(D::pert(1.0, 9.0, 4.0), Catch::Contains("mode = 9, allowed from low = 1 to high = 4"));
+  CHECK_THROWS_WITH(D::lognormal(1.0, -0.5), Catch::Contains("cv = -0.5, allowed finite and >= 0"));
+  CHECK_THROWS_WITH(D::weibull_mean_cv(1.0, 30.0), Catch::Contains("cv = 30, allowed from 0.01 to 20"));
+  CHECK_THROWS_WITH(D::discrete({1.0, 2.0}, {1.0}), Catch::Contains("2 values and 1 weights"));
+  CHECK_THROWS_WITH(D::discrete({1.0}, {-1.0}), Catch::Contains("weight = -1, allowed finite and >= 0"));
+  CHECK_THROWS_WITH(D::discrete({1.0, 2.0}, {1e308, 1e308}), Catch::Contains("sum of weights = inf"));
+  CHECK_THROWS_WITH(D::empirical({nan, 1.0}, {1.0, 2.0}), Catch::Contains("observation = nan"));
+  CHECK_THROWS_WITH(D::empirical({2.0, 1.0}, {1.0, infinity}), Catch::Contains("weight = inf"));
+  CHECK_THROWS_WITH(D::empirical({2.0, 1.0}, {-1.0, 1.0}), Catch::Contains("weight = -1"));
+  CHECK_THROWS_WITH(D::empirical({2.0, 1.0, 3.0}, {1.5e308, 1.5e308, 1e308}),
+                    Catch::Contains("sum of weights = inf"));
+}
+
+TEST_CASE("every range of profiles, histograms and resources is refused in words",
+          "[arrivals][histogram][resource]") {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  const double infinity = std::numeric_limits<double>::infinity();
+  CHECK_THROWS_WITH(RateProfile({}, {}), Catch::Contains("0 lengths and 0 rates"));
+  CHECK_THROWS_WITH(RateProfile({infinity}, {1.0}), Catch::Contains("length = inf, allowed finite and > 0"));
+  CHECK_THROWS_WITH(RateProfile({1.0}, {-1.0}), Catch::Contains("rate = -1, allowed finite and >= 0"));
+  CHECK_THROWS_WITH(RateProfile({1.0}, {infinity}), Catch::Contains("rate = inf, allowed finite and >= 0"));
+  CHECK(RateProfile({2.0, 3.0}, {0.0, 1.0}).time_of(0.0) == 0.0);
+  CHECK_THROWS_WITH(Histogram(1.0, 1.0, 3), Catch::Contains("allowed low < high"));
+  CHECK_THROWS_AS(Histogram(-infinity, 1.0, 3), std::invalid_argument);
+  CHECK_THROWS_AS(Histogram(0.0, infinity, 3), std::invalid_argument);
+  CHECK_THROWS_AS(Histogram(0.0, 1.0, 0), std::invalid_argument);
+  Histogram histogram(0.0, 1.0, 3);
+  CHECK_THROWS_AS(histogram.add(nan), std::invalid_argument);
+  CHECK_THROWS_AS(histogram.merge(Histogram(0.5, 1.0, 3)), std::invalid_argument);
+  CHECK_THROWS_AS(histogram.merge(Histogram(0.0, 2.0, 3)), std::invalid_argument);
+  CHECK_THROWS_AS(histogram.merge(Histogram(0.0, 1.0, 4)), std::invalid_argument);
+  CHECK(histogram.total() == 0);
+  Simulation sim;
+  CHECK_THROWS_WITH(Resource(sim, "bench", -1), "resource bench: capacity is -1, must be >= 0");
+  Resource bench(sim, "bench", 1);
+  CHECK_THROWS_WITH(bench.set_capacity(-2), Catch::Contains("capacity is -2, must be >= 0"));
+  CHECK_THROWS_WITH(bench.try_acquire(0), Catch::Contains("request for 0 units, must be >= 1"));
+  CHECK_THROWS_WITH(Container(sim, -1.0), Catch::Contains("capacity is -1, must be >= 0"));
+  CHECK_THROWS_WITH(Container(sim, 5.0, -1.0),
+                    Catch::Contains("level is -1, must be from 0 to the capacity 5"));
+  CHECK_THROWS_WITH(Container(sim, 5.0, 6.0),
+                    Catch::Contains("level is 6, must be from 0 to the capacity 5"));
+  Container tank(sim, 5.0);
+  CHECK_THROWS_WITH(tank.put(6.0), Catch::Contains("put of 6, must be finite and from 0 to the capacity 5"));
+  CHECK_THROWS_WITH(tank.get(-1.0), Catch::Contains("get of -1, must be finite"));
+}
+
+TEST_CASE("who gives up waiting for a container leaves his place and what he had been given", "[container]") {
+  Simulation sim;
+  Container tank(sim, 10.0, 2.0, "tank");
+  std::string order;
+  sim.spawn("patient", [](Simulation& s, Container& c, std::string& out) -> Task<> {
+    const auto came = co_await first_of(c.get(8.0), s.delay(3.0));
+    out += came.index() == 0 ? 'A' : 'a';
+  }(sim, tank, order));
+  sim.spawn("modest", [](Simulation& s, Container& c, std::string& out) -> Task<> {
+    co_await s.delay(1.0);
+    co_await c.get(1.0);  // there would be enough, but the first stands before
+    out += s.now() == 3.0 ? 'm' : '?';
+  }(sim, tank, order));
+  sim.run();
+  CHECK(order == "am");
+  CHECK(tank.level() == 1.0);
+
+  // Served and interrupted in the same instant: what he was given flows back.
+  Process victim = sim.spawn("victim", [](Container& c, std::string& out) -> Task<> {
+    const auto wait = co_await interruptible(c.get(5.0));
+    out += wait.interrupted() ? 'v' : 'V';
+  }(tank, order));
+  sim.spawn("giver", [](Simulation& s, Container& c, Process p) -> Task<> {
+    co_await s.delay(1.0);
+    co_await c.put(6.0);
+    p.interrupt("never mind");
+  }(sim, tank, victim));
+  sim.run();
+  CHECK(order == "amv");
+  CHECK(tank.level() == 7.0);
+}
+
+TEST_CASE("Simulation refuses what would go wrong inside a process, with its place", "[process]") {
+  Simulation sim;
+  std::vector<std::string> said;
+  const auto refused = [&said](auto&& what) {
+    try {
+      what();
+      said.emplace_back("done");
+    } catch (const SimulationError& error) {
+      said.emplace_back(error.what());
+    }
+  };
+  sim.spawn("p", [](Simulation& s, decltype(refused)& attempt) -> Task<> {
+    co_await s.delay(1.0);
+    attempt([&] { s.run(); });
+    attempt([&] { s.run_until(5.0); });
+    attempt([&] { s.step(); });
+  }(sim, refused));
+  sim.run();
+  CHECK(said == std::vector<std::string>{"t = 1, process p: run() called from inside a process",
+                                         "t = 1, process p: run_until() called from inside a process",
+                                         "t = 1, process p: step() called from inside a process"});
+  said.clear();
+  refused([&] { sim.set_budget(0, 5); });
+  refused([&] { sim.set_budget(5, 0); });
+  refused([&] { sim.spawn("x", 40'000, note_at(sim, said.emplace_back(), 'x', 1.0)); });
+  refused([&] { sim.run_until(std::numeric_limits<double>::infinity()); });
+  CHECK(said[0] == "set_budget: both budgets must be >= 1");
+  CHECK(said[1] == "set_budget: both budgets must be >= 1");
+  CHECK_THAT(said[3], Catch::Contains("priority is 40000, must be from -32768 to 32767"));
+  CHECK_THAT(said[4], Catch::Contains("run_until(inf), must be finite and >= now"));
+}
+
+TEST_CASE("an exception that is none of the standard library's is reported with its place", "[process]") {
+  Simulation sim;
+  sim.spawn("p", [](Simulation& s) -> Task<> {
+    co_await s.delay(1.0);
+    throw 7;
+  }(sim));
+  CHECK_THROWS_WITH(sim.run(), "t = 1, process p: an exception that is no std::exception");
+}
