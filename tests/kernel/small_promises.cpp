@@ -354,3 +354,19 @@ TEST_CASE("an exception that is none of the standard library's is reported with 
   }(sim));
   CHECK_THROWS_WITH(sim.run(), "t = 1, process p: an exception that is no std::exception");
 }
+
+TEST_CASE("what a container gave at once flows back when the whole wait is given up", "[container]") {
+  Simulation sim;
+  Container tank(sim, 10.0, 4.0, "tank");
+  bool interrupted = false;
+  Process victim = sim.spawn("victim", [](Simulation& s, Container& c, bool& out) -> Task<> {
+    const auto wait = co_await interruptible(all_of(c.get(3.0), s.delay(5.0)));
+    out = wait.interrupted();
+  }(sim, tank, interrupted));
+  sim.run_until(1.0);
+  CHECK(tank.level() == 1.0);
+  victim.interrupt("never mind");
+  sim.run();
+  CHECK(interrupted);
+  CHECK(tank.level() == 4.0);
+}
