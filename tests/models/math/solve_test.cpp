@@ -72,5 +72,7 @@ TEST_CASE("the lowest of several valleys is found, ends included", "[math]") {
         Approx(-2 - std::asin(0.95 * 3 / (2 * std::numbers::pi)) * 3 / (2 * std::numbers::pi)).epsilon(1e-7));
   const Minimum end = minimize_global([](double x) { return std::sin(x) - x; }, 0, 7, 10, 1e-12);
   CHECK(end.x == 7);
+  const Minimum first_cell = minimize_global([](double x) { return (x - 0.1) * (x - 0.1); }, 0, 10, 10);
+  CHECK(first_cell.x == Approx(0.1).epsilon(1e-6));
   CHECK(minimize_global([](double) { return 4.0; }, 1, 9).x == 1);  // the first of equal ones
 }
