@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -47,8 +48,10 @@ inline std::string read_file(const std::string& path) {
 inline Answer call(const std::string& arguments, const std::string& before = "") {
   static const Workspace workspace;
   const std::string err_file = workspace.file("stderr");
-  const std::string line =
-      before + " " + std::string(VERSTAT_PROGRAM) + " " + arguments + " 2>" + err_file + " </dev/null";
+  // Mutation testing puts another program in its place.
+  const char* other = std::getenv("VERSTAT_PROGRAM");
+  const std::string line = before + " " + std::string(other != nullptr ? other : VERSTAT_PROGRAM) + " " +
+                           arguments + " 2>" + err_file + " </dev/null";
   Answer answer;
   std::FILE* pipe = ::popen(line.c_str(), "r");
   std::array<char, 65536> block{};

@@ -184,3 +184,9 @@ TEST_CASE("life laws refuse what they cannot be", "[math]") {
   CHECK_THROWS_AS(LifeLaw(LifeLawKind::weibull, std::nan(""), 0.7), DomainError);
   CHECK_THROWS_AS(LifeLaw::weibull(60, 0.1), DomainError);
 }
+
+TEST_CASE("the hazard of a new tool of gamma life: none, that of chance, or without bound", "[math]") {
+  CHECK(LifeLaw(LifeLawKind::gamma, 40, 0.5).hazard(0) == 0);
+  CHECK(LifeLaw(LifeLawKind::gamma, 40, 1).hazard(0) == Approx(1.0 / 40).epsilon(1e-14));
+  CHECK(std::isinf(LifeLaw(LifeLawKind::gamma, 40, 2).hazard(0)));
+}

@@ -38,6 +38,7 @@ TEST_CASE("touching roots count once, constants and the zero polynomial have non
   CHECK(polynomial_roots({4, -4, 1}, 0, 5) == std::vector<double>{2});
   CHECK(polynomial_roots({1, 0, 1}, -5, 5).empty());
   CHECK(polynomial_roots({3}, -5, 5).empty());
+  CHECK(polynomial_roots({1, 1, 1}, 1e-9, 1).empty());  // near zero as well as anywhere
   CHECK(polynomial_roots({0, 0, 0}, -5, 5).empty());
   CHECK(evaluate_polynomial({1, 2, 3}, 2) == 17);
   CHECK(derivative_polynomial({1, 2, 3}) == std::vector<double>{2, 6});
