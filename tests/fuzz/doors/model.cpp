@@ -27,6 +27,21 @@ void check_finite(const models::Value& value, std::string_view key) {
     for (const auto& [name, one] : *value.map()) check_finite(one, key);
 }
 
+// A name that is none stands for some function, but for the few that are asked for as they are: looking for
+// the closest of all names takes longer than most functions.
+const models::Function& function_of(const std::string& key) {
+  static const std::vector<const models::Function*> all = [] {
+    std::vector<const models::Function*> list;
+    for (const models::Source& source : models::catalogue().sources())
+      for (const models::Function& f : source.functions()) list.push_back(&f);
+    return list;
+  }();
+  std::size_t sum = 0;
+  for (const char c : key) sum = sum * 131 + static_cast<unsigned char>(c);
+  if (const models::Function* known = models::catalogue().find(key); known != nullptr) return *known;
+  return sum % 61 == 0 ? models::catalogue().at(key) : *all[sum % all.size()];
+}
+
 void eat(std::string_view bytes) {
   try {
     const json point = scenarios::parse_json(bytes);
@@ -34,9 +49,8 @@ void eat(std::string_view bytes) {
     const auto function = point.find("function");
     const auto inputs = point.find("inputs");
     if (function == point.end() || !function->is_string() || inputs == point.end()) return;
-    const auto& key = function->get_ref<const std::string&>();
-    const models::Function& f = models::catalogue().at(key);
-    check_finite(f.evaluate(scenarios::to_value(*inputs)), key);
+    const models::Function& f = function_of(function->get_ref<const std::string&>());
+    check_finite(f.evaluate(scenarios::to_value(*inputs)), f.key);
   } catch (const scenarios::InputError& e) {
     check_words(e.what());
   } catch (const models::ModelError& e) {
