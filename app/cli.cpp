@@ -23,6 +23,7 @@
 #include "optimize/ledger.h"
 #include "sim/kernel/errors.h"
 #include "store/database.h"
+#include "store/text_search.h"
 
 namespace verstat::app {
 
@@ -205,6 +206,20 @@ int report(const std::string& text, ExitCode code) {
   return code;
 }
 
+// Answers as JSON and the database hold texts, and what is typed stands in them.
+void check_text(int argc, char** argv) {
+  for (int k = 1; k < argc; ++k) {
+    std::string word = argv[k];
+    if (store::is_utf8(word)) continue;
+    for (char& c : word)
+      if (static_cast<unsigned char>(c) >= 0x80) c = '?';
+    throw UsageError(
+        fmt::format("argument {}, \"{}\", is not UTF-8 text; rename the file or type it anew in a "
+                    "terminal that writes UTF-8",
+                    k, word.substr(0, 200)));
+  }
+}
+
 // CLI11 would only say that a sub-command is required.
 void check_subcommand(const CLI::App& program, int argc, char** argv) {
   if (argc < 2 || argv[1][0] == '-') return;
@@ -243,6 +258,7 @@ int run_program(int argc, char** argv) {
   add_trace(program);
   add_graph(program);
   try {
+    check_text(argc, argv);
     check_subcommand(program, argc, argv);
     program.parse(argc, argv);
     return success;

@@ -36,7 +36,8 @@ class SchemaWriter {
     ordered_json properties = ordered_json::object();
     ordered_json required = ordered_json::array();
     if (!kind.empty()) {
-      properties["kind"] = {{"enum", {kind}}};
+      // A list of one in braces is a list for one compiler and its only entry for another.
+      properties["kind"]["enum"] = ordered_json::array({kind});
       required.push_back("kind");
     }
     for (const Field& field : fields) {
@@ -108,18 +109,20 @@ class SchemaWriter {
       }
       // In anyOf, because draft 7 ignores what stands beside a reference.
       case TypeInfo::Kind::structure:
-        schema["anyOf"] = {reference(type.fields, field.name, [&] { return structure(*type.fields, ""); })};
+        schema["anyOf"] = ordered_json::array(
+            {reference(type.fields, field.name, [&] { return structure(*type.fields, ""); })});
         break;
       case TypeInfo::Kind::alternatives: {
         const auto& first = type.alternatives.front();
         // The choice is told from its first alternative by the address of that one's name list.
-        schema["anyOf"] = {reference(&choice_keys_[first.second], "any_" + first.first, [&] {
-          ordered_json choice = {{"oneOf", ordered_json::array()}};
-          for (const auto& [kind, fields] : type.alternatives)
-            choice["oneOf"].push_back(
-                reference(fields, kind, [&, &k = kind, &f = fields] { return structure(*f, k); }));
-          return choice;
-        })};
+        schema["anyOf"] =
+            ordered_json::array({reference(&choice_keys_[first.second], "any_" + first.first, [&] {
+              ordered_json choice = {{"oneOf", ordered_json::array()}};
+              for (const auto& [kind, fields] : type.alternatives)
+                choice["oneOf"].push_back(
+                    reference(fields, kind, [&, &k = kind, &f = fields] { return structure(*f, k); }));
+              return choice;
+            })});
         break;
       }
     }

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "models/catalogue/error.h"
+
 namespace verstat::models {
 namespace {
 
@@ -56,6 +58,10 @@ DynamicStiffness dynamic_stiffness(double x) {
          x * (th - sin * c) / d,
          0};
     const double half_waves = std::floor(x / std::numbers::pi);
+    // Not a number, too, when squares of the members have left the range of numbers on the way here.
+    constexpr double most_half_waves = 1e9;
+    if (!(half_waves < most_half_waves))
+      reject("a segment of this length, diameter and material has no frequencies that can be counted");
     const bool odd = std::fmod(half_waves, 2) != 0;
     k.clamped_below = static_cast<int>(half_waves) - ((d > 0) == odd ? 1 : 0);
   }

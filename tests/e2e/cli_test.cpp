@@ -127,6 +127,19 @@ TEST_CASE("malformed and absurd input: one clear line, exit code 2, no database"
   }
 }
 
+TEST_CASE("an argument that is no text is refused before anything is done") {
+  const Workspace w;
+  const Answer a = call(
+      "fit cycle docs/examples/fit/cycles.csv --json --to /n\xff"
+      "ame --out " +
+      w.file("c.json"));
+  CHECK(a.exit_code == 2);
+  CHECK(a.out.empty());
+  CHECK(lines(a.err) == 1);
+  CHECK(a.err.find("argument 6, \"/n?ame\", is not UTF-8 text") != std::string::npos);
+  CHECK_FALSE(std::filesystem::exists(w.file("c.json")));
+}
+
 TEST_CASE("bad input leaves an existing database as it was") {
   const Workspace w;
   REQUIRE(call("run " + cell + quick + "--db " + w.file("a.db")).exit_code == 0);

@@ -180,13 +180,63 @@ std::string mutated_bytes(std::string text, Dice& dice) {
 
 }  // namespace
 
-std::string mutated(const std::string& text, bool is_json, std::uint64_t seed) {
-  Dice dice(seed);
-  if (is_json && dice.below(16) != 0) {
-    json tree = json::parse(text, nullptr, false);
-    if (!tree.is_discarded()) return mutated_tree(std::move(tree), dice);
+namespace {
+
+// Where the body of a request begins.
+std::size_t body_of(const std::string& text) {
+  const auto end = text.find("\n\n");
+  return end == std::string::npos ? text.size() : end + 2;
+}
+
+std::string mutated_json(const std::string& text, Dice& dice) {
+  json tree = json::parse(text, nullptr, false);
+  return tree.is_discarded() ? mutated_bytes(text, dice) : mutated_tree(std::move(tree), dice);
+}
+
+// A member or entry of one tree in place of one of the other, or beside those that stand there.
+std::string crossed_json(const std::string& text, const std::string& other, Dice& dice) {
+  json tree = json::parse(text, nullptr, false);
+  json donor = json::parse(other, nullptr, false);
+  if (tree.is_discarded() || donor.is_discarded()) return {};
+  std::vector<json*> places;
+  std::vector<json*> parts;
+  collect(tree, places);
+  collect(donor, parts);
+  json& at = *places[dice.below(places.size())];
+  const json& part = *parts[dice.below(parts.size())];
+  if (at.is_object() && part.is_object() && !part.empty() && dice.below(4) != 0) {
+    auto member = part.begin();
+    std::advance(member, static_cast<std::ptrdiff_t>(dice.below(part.size())));
+    at[member.key()] = member.value();
+  } else if (at.is_array() && dice.below(2) == 0) {
+    at.push_back(part);
+  } else {
+    at = json(part);
   }
-  return mutated_bytes(text, dice);
+  return tree.dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+}  // namespace
+
+std::string mutated(const std::string& text, Form form, std::uint64_t seed) {
+  Dice dice(seed);
+  if (form == Form::bytes || dice.below(16) == 0) return mutated_bytes(text, dice);
+  if (form == Form::json) return mutated_json(text, dice);
+  const std::size_t body = body_of(text);
+  if (body == text.size() || dice.below(3) == 0)
+    return mutated_bytes(text.substr(0, body), dice) + text.substr(body);
+  return text.substr(0, body) + mutated_json(text.substr(body), dice);
+}
+
+std::string crossed(const std::string& text, const std::string& other, Form form, std::uint64_t seed) {
+  Dice dice(seed);
+  if (form == Form::json) return crossed_json(text, other, dice);
+  if (form == Form::bytes) return {};
+  const std::size_t body = body_of(text);
+  const std::size_t other_body = body_of(other);
+  if (dice.below(3) == 0) return text.substr(0, body) + other.substr(other_body);
+  const std::string mixed = crossed_json(text.substr(body), other.substr(other_body), dice);
+  return mixed.empty() ? mixed : text.substr(0, body) + mixed;
 }
 
 }  // namespace verstat::fuzz

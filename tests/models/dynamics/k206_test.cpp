@@ -120,6 +120,15 @@ TEST_CASE("K206: a uniform free bar, in one piece and in several", "[K206]") {
   }
 }
 
+TEST_CASE("K206: a section whose stiffness is no number any more is refused", "[K206]") {
+  RodFrequencyInputs in;
+  in.count = 2;
+  in.length_mm = {17.3, 173.2};
+  in.outer_mm = {65, 1.7e308};
+  in.inner_mm = {42, 42};
+  CHECK_THROWS_AS(rod_natural_frequencies(in), ModelError);
+}
+
 TEST_CASE("K206: frequencies are the sign changes of the determinants", "[K206]") {
   // Delta of the rod alone, from the transfer matrices: an independent route to the same zeros.
   const UnitFrequencyInputs u = unit(1, 1);
