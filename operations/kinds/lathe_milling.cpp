@@ -128,7 +128,10 @@ Milled mill_polygon(const LatheMilling& spec, double feed_min, double feed_max, 
   pass.x_rate_max_mm_min = spec.x_rate_max_mm_min;
   pass.c_rate_max_deg_min = spec.c_rate_max_deg_min;
   pass.strategy = feed;
-  pass.axial_passes = static_cast<std::int64_t>(passes_of(spec.axial_length_mm, spec.axial_depth_mm));
+  const double passes = passes_of(spec.axial_length_mm, spec.axial_depth_mm);
+  models::require(passes <= 1e6, "axial_depth_mm", spec.axial_depth_mm,
+                  "is too small: more than a million passes");
+  pass.axial_passes = static_cast<std::int64_t>(passes);
   pass.approach_mm = spec.approach_mm;
   const k301::PolygonTime t = k301::polygon_milling_time(pass);
   return {t.main_time_min, t.feed_low_mm_min, t.feed_high_mm_min, t.peak_force_high_n};

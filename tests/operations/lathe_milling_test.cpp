@@ -11,7 +11,9 @@
 using namespace verstat;
 using namespace verstat::operations;
 using models::k301::FeedStrategy;
+using verstat::test::GalleryExample;
 using verstat::test::margin_of;
+using verstat::test::refusal;
 using verstat::test::value_of;
 
 TEST_CASE("lathe milling: the force-stabilised feed saves time at equal peak force", "[lathe_milling]") {
@@ -95,4 +97,12 @@ TEST_CASE("lathe milling: errors name what is wrong", "[lathe_milling]") {
   CHECK(test::refusal(spec) == "feed = \"stabilized\" belongs to shape \"polygon\"");
   spec.apothem_mm = 25;
   CHECK(test::refusal(spec) == "apothem_mm = 25, must be below the blank radius: otherwise nothing is cut");
+}
+
+TEST_CASE("lathe milling: passes without end are refused, not counted", "[lathe_milling]") {
+  GalleryExample<LatheMilling> example;
+  for (const double depth_mm : {1e-300, 1e-6}) {
+    example.spec.axial_depth_mm = depth_mm;
+    CHECK_THAT(refusal(example.spec), Catch::Matchers::Contains("axial_depth_mm"));
+  }
 }
