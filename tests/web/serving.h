@@ -11,7 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <unistd.h>
 
-#include "store/database.h"
+#include "tests/store/example_results.h"
 #include "tests/web/client.h"
 #include "web-ui/server/http.h"
 #include "web-ui/server/site.h"
@@ -19,31 +19,7 @@
 namespace verstat::web_test {
 
 using nlohmann::json;
-
-inline store::Run example_run(int number) {
-  store::Run run;
-  run.header = {.label = fmt::format("run <{}> \"quoted\"", number),
-                .scenario_name = "Cell",
-                .changes = R"([{"pointer": "/seed", "value": 0.1}])",
-                .seed = 18446744073709551615U,
-                .replications = 2,
-                .horizon_min = 1000,
-                .warmup_min = 100,
-                .elapsed_s = 0.1,
-                .provenance = {"0.1", "test", "2026-01-02T03:04:05Z"}};
-  run.scenario_text = "{}";
-  run.currency = "UAH";
-  run.kpis.push_back({.kpi = {"cost_per_part", "UAH", "cost"},
-                      .mean = 0.1 + 0.2 * number,
-                      .half_width = 1.0 / 3,
-                      .samples = 2});
-  run.kpis.push_back({.kpi = {"throughput_per_h", "parts/h", "rate"},
-                      .mean = std::nullopt,
-                      .half_width = std::nullopt,
-                      .samples = 0});
-  run.values = {{1.5, std::nullopt}, {2.5, std::nullopt}};
-  return run;
-}
+using test::example_run;
 
 inline constexpr int run_count = 7;
 
@@ -63,20 +39,7 @@ class Serving {
     {
       store::Writer writer(file());
       for (int k = 1; k <= run_count; ++k) writer.add_run(example_run(k));
-      store::Study study;
-      study.header = {.name = "Study",
-                      .scenario_name = "Cell",
-                      .status = "running",
-                      .objective = "cost_per_part",
-                      .seed = 7,
-                      .provenance = {"0.1", "test", "2026-01-02T03:04:05Z"}};
-      study.changes = "[]";
-      study.study_text = "{}";
-      study.scenario_text = "{}";
-      study.variables = {{"speed", "/v", "m/min", 20, 120}};
-      const auto id = writer.begin_study(study);
-      writer.add_trials(id, {{.number = 1, .stage = "analytic", .values = {1.0 / 3}, .objective = 125.4}});
-      writer.finish_study(id, 1, 2, R"({"words": "saves"})", "finished");
+      test::add_example_study(writer, "finished");
     }
     options.port = 0;
     std::filesystem::remove(file().string() + ".notes");

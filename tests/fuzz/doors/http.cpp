@@ -11,6 +11,7 @@
 #include "store/database.h"
 #include "tests/fuzz/check.h"
 #include "tests/fuzz/targets.h"
+#include "tests/store/example_results.h"
 #include "web-ui/server/site.h"
 
 namespace verstat::fuzz {
@@ -24,46 +25,12 @@ constexpr web::Asset pages[] = {
     {"/assets/x-1.js", "text/javascript; charset=utf-8", "bbbb", true, "1;", ""}};
 const char* const token = "0123456789abcdef";
 
+// Of a scenario that can be drawn and run again.
 store::Run a_run(int number) {
-  store::Run run;
-  run.header = {.label = fmt::format("run <{}> \"quoted\"", number),
-                .scenario_name = "Cell",
-                .changes = R"([{"pointer": "/machines/0/count", "value": 3}])",
-                .seed = 18446744073709551615U,
-                .replications = 2,
-                .horizon_min = 1000,
-                .warmup_min = 100,
-                .elapsed_s = 0.1,
-                .provenance = {"0.1", "test", "2026-01-02T03:04:05Z"}};
+  store::Run run = test::example_run(number);
+  run.header.changes = R"([{"pointer": "/machines/0/count", "value": 3}])";
   run.scenario_text = scenarios::read_text_file("scenarios/gallery/heavy-lathe.json");
-  run.currency = "UAH";
-  run.kpis.push_back({.kpi = {"cost_per_part", "UAH", "cost"},
-                      .mean = 0.1 + 0.2 * number,
-                      .half_width = 1.0 / 3,
-                      .samples = 2});
-  run.kpis.push_back({.kpi = {"throughput_per_h", "parts/h", "rate"},
-                      .mean = std::nullopt,
-                      .half_width = std::nullopt,
-                      .samples = 0});
-  run.values = {{1.5, std::nullopt}, {2.5, std::nullopt}};
   return run;
-}
-
-void add_study(store::Writer& writer, const std::string& status) {
-  store::Study study;
-  study.header = {.name = "Study",
-                  .scenario_name = "Cell",
-                  .status = "running",
-                  .objective = "cost_per_part",
-                  .seed = 7,
-                  .provenance = {"0.1", "test", "2026-01-02T03:04:05Z"}};
-  study.changes = "[]";
-  study.study_text = "{}";
-  study.scenario_text = "{}";
-  study.variables = {{"speed", "/v", "m/min", 20, 120}};
-  const auto id = writer.begin_study(study);
-  writer.add_trials(id, {{.number = 1, .stage = "analytic", .values = {1.0 / 3}, .objective = 125.4}});
-  writer.finish_study(id, 1, 2, R"({"words": "saves"})", status);
 }
 
 // A database of runs and studies, and jobs that wait for ever: a queue that is full is a state, too.
@@ -73,8 +40,8 @@ struct Server {
     {
       store::Writer writer(database);
       for (int k = 1; k <= 3; ++k) writer.add_run(a_run(k));
-      add_study(writer, "finished");
-      add_study(writer, "interrupted");
+      test::add_example_study(writer, "finished");
+      test::add_example_study(writer, "interrupted");
     }
     const std::filesystem::path program = write_own("program.sh", "#!/bin/sh\nexec sleep 3600\n");
     std::filesystem::permissions(program, std::filesystem::perms::owner_all);
