@@ -38,6 +38,6 @@ TEST_CASE("old names that cannot be are refused by their place") {
   refused({{{"name", "lathe"}, {"was", "a"}}, {{"name", "lathe"}, {"was", "b"}}},
           "/simulation/renamed/1/name", "already");
   // Two that change places are no contradiction.
-  CHECK_NOTHROW(scenarios::load(
-      with({{{"name", "lathe"}, {"was", "shaft"}}, {{"name", "shaft"}, {"was", "lathe"}}})));
+  CHECK_NOTHROW(
+      scenarios::load(with({{{"name", "lathe"}, {"was", "shaft"}}, {{"name", "shaft"}, {"was", "lathe"}}})));
 }
