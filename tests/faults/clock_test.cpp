@@ -130,10 +130,12 @@ json without_times(json run) {
   return run;
 }
 
-const std::string sweep =
-    "sweep scenarios/gallery/heavy-lathe.json --factor /tools/0/strategy/gamma=0.4..0.8 --design lhs "
-    "--points 24"
-    " --set /simulation/horizon_min=60000 --replications 4 --threads 1 --json ";
+std::string sweep_of(int points) {
+  return "sweep scenarios/gallery/heavy-lathe.json --factor /tools/0/strategy/gamma=0.4..0.8 --design lhs "
+         "--set /simulation/horizon_min=60000 --replications 4 --threads 1 --points " +
+         std::to_string(points) + " ";
+}
+const std::string sweep = sweep_of(24) + "--json ";
 
 const std::string optimum_of =
     "optimize scenarios/gallery/heavy-lathe.study.json --set /simulation/horizon_min=60000 --threads 1 "
@@ -203,12 +205,7 @@ TEST_CASE("a server and the study beside it live through a clock that jumps by h
   const Served server(db, "", w.file("said"), clock.before() + "export TMPDIR=" + w.file("tmp") + ";");
   REQUIRE(server.port() != 0);
   const Jumping jumping(clock);
-  const pid_t study = start(
-      "sweep scenarios/gallery/heavy-lathe.json --factor /tools/0/strategy/gamma=0.4..0.8 --design lhs "
-      "--points 50000"
-      " --set /simulation/horizon_min=60000 --replications 4 --threads 1 --db " +
-          db,
-      clock.before());
+  const pid_t study = start(sweep_of(50000) + "--db " + db, clock.before());
   for (int k = 0; k < 2000 && server.get("/api/v1/studies/2").status != 200; ++k)
     std::this_thread::sleep_for(5ms);
   // A connection that stays open, for some seconds of ours and weeks of the wall clock.

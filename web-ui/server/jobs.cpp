@@ -383,8 +383,7 @@ class Jobs::Queue {
       if (code == 128 + SIGKILL && !asked)
         message =
             "the program was killed from outside, most likely because the memory of the machine ran out: "
-            "fewer "
-            "machines, replications or threads need less";
+            "fewer machines, replications or threads need less";
       return asked ? JobState::cancelled : JobState::failed;
     }
     if (out.size() > most_output)
