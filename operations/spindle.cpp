@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include <boost/math/tools/minima.hpp>
+
 #include "models/dynamics/k201_bearing_resonance.h"
 #include "models/dynamics/k206_spindle_base_frequencies.h"
 #include "models/dynamics/k210_hydrostatic_bearing.h"
@@ -189,35 +191,16 @@ std::vector<SpindleDynamics::Band> parametric_bands(const BearingResonance& b, d
 }
 
 /// The real part of a lightly damped mode is least just above its frequency, at p sqrt(1 + loss factor) for a
-/// single one: a golden-section search around that point finds it among its neighbours.
+/// single one: the search around that point finds it among its neighbours.
 double least_real(k206::NoseInputs& nose, double natural_hz, double loss_factor) {
   const auto real_at = [&](double hz) {
     nose.freq_hz = hz;
     return k206::nose_compliance(nose).re_um_n;
   };
-  constexpr double golden = 0.6180339887498949;
-  double low = natural_hz;
-  double high = natural_hz * std::sqrt(1 + 3 * loss_factor);
-  double left = high - golden * (high - low);
-  double right = low + golden * (high - low);
-  double at_left = real_at(left);
-  double at_right = real_at(right);
-  for (int k = 0; k < 30; ++k) {
-    if (at_left < at_right) {
-      high = right;
-      right = left;
-      at_right = at_left;
-      left = high - golden * (high - low);
-      at_left = real_at(left);
-    } else {
-      low = left;
-      left = right;
-      at_left = at_right;
-      right = low + golden * (high - low);
-      at_right = real_at(right);
-    }
-  }
-  return std::min(at_left, at_right);
+  constexpr int bits = 24;  // half of a double's: a minimum is flat
+  return boost::math::tools::brent_find_minima(real_at, natural_hz,
+                                               natural_hz * std::sqrt(1 + 3 * loss_factor), bits)
+      .second;
 }
 
 void add_base(const ElasticBase& base, SpindleDynamics& d) {

@@ -255,6 +255,7 @@ Distribution Distribution::empirical(const std::vector<double>& observations,
   if (std::all_of(order.begin(), order.end(),
                   [&](std::size_t i) { return weights[i] == weights[order[0]]; })) {
     std::vector<double> alike;
+    alike.reserve(order.size());
     for (const std::size_t i : order) alike.push_back(observations[i]);
     return empirical(alike);
   }

@@ -102,7 +102,7 @@ bool FarEvents::start_year() {
   std::nth_element(sample.begin(), middle, sample.end());
   double span = 2.0 * (*middle - first);
   if (!(span > 0.0)) span = last - first;
-  const double count = std::max(1.0, std::floor(static_cast<double>(n / per_bucket)));
+  const auto count = static_cast<double>(std::max<std::size_t>(1, n / per_bucket));
   const double scale = count / span;
   if (!(span > 0.0) || !std::isfinite(scale) || !(first + span / count > first)) return false;
   start_ = first;

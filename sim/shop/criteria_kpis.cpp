@@ -53,10 +53,10 @@ std::optional<k205::SimulationResult> Shop::criteria_inputs() const {
   in.defects_by_type = {in.defect_rejected + in.defect_accepted};
   in.detected_by_type = {in.defect_rejected};
   in.diagnosis_time_min = inspections_.time_min / judged;
-  if (inspections_.planned_time_min > 0)  // without inspections there is no rate to compare
+  if (inspections_.planned_time_min > 0)
     in.diagnosis_time_ideal_min = inspections_.planned_time_min / judged;
   else
-    in.diagnosis_time_ideal_min = 1;
+    in.diagnosis_time_ideal_min = 1;  // any: without inspections there is no rate to compare
   in.diagnosis_cost_cu = inspections_.cost;
   double total = 0;
   for (std::size_t c = 0; c < cost_headings; ++c) total += costs_[static_cast<Cost>(c)];

@@ -518,15 +518,20 @@ TEST_CASE("process records and frames are reused", "[process]") {
   CHECK(sim.now() == 1000.0);
 }
 
-TEST_CASE("the trace names time, priority and process", "[process]") {
+TEST_CASE("the trace names time, priority, process and the order of scheduling", "[process]") {
   Simulation sim;
   Log log;
   Log trace;
-  sim.spawn("a", note_after(sim, log, "a", 1.0, 3));
+  std::vector<std::uint64_t> numbers;
+  for (const int priority : {3, -2, 3}) sim.spawn("a", note_after(sim, log, "a", 1.0, priority));
   sim.set_trace([&](const TraceRecord& record) {
     trace.push_back(detail::text_of(record.time) + " " + std::to_string(record.priority) + " " +
                     std::string(record.process));
+    numbers.push_back(record.sequence);
   });
   sim.run();
-  CHECK(trace == Log{"0 0 a", "1 3 a"});
+  CHECK(trace == Log{"0 0 a", "0 0 a", "0 0 a", "1 -2 a", "1 3 a", "1 3 a"});
+  // Three starts, then three delays, numbered as they were asked for; whatever their priorities.
+  const std::uint64_t first = numbers.at(0);
+  CHECK(numbers == std::vector<std::uint64_t>{first, first + 1, first + 2, first + 4, first + 3, first + 5});
 }

@@ -160,6 +160,34 @@ TEST_CASE("pre-emption at the instant of the grant puts the granted one back in 
                    "7 waiter out", "7 behind in", "8 behind out"});
 }
 
+TEST_CASE("who is evicted while it waits for more of the same does not let others be evicted in vain",
+          "[resource]") {
+  // 2 urgent, 3 others; "big" wants 4 and waits for the urgent ones. When they leave, two of three must go:
+  // the first of them gives up a request behind "big", and the queue is looked at in the middle of it all.
+  Simulation sim;
+  Resource resource(sim, "r", 5);
+  Log log;
+  sim.spawn("urgent", use(sim, resource, log, "urgent", 0.0, 5.0, 0, 2));
+  sim.spawn("greedy", [](Simulation& s, Resource& r, Log& to) -> Task<> {
+    Hold hold = co_await r.acquire(9, 1);
+    co_await s.delay(2.0);
+    auto more = co_await interruptible(r.acquire(9, 1));
+    to.push_back(at(s, more.interrupted() ? "greedy evicted" : "greedy has more"));
+  }(sim, resource, log));
+  sim.spawn("b", preemptible(sim, resource, log, "b", 0.0, 8.0, 5));
+  sim.spawn("c", preemptible(sim, resource, log, "c", 0.0, 8.0, 3));
+  sim.spawn("big", [](Simulation& s, Resource& r, Log& to) -> Task<> {
+    co_await s.delay(1.0);
+    Hold hold = co_await r.preempt(1, 4);
+    to.push_back(at(s, "big in"));
+    co_await s.delay(1.0);
+    to.push_back(at(s, "big out"));
+  }(sim, resource, log));
+  sim.run();
+  CHECK(log == Log{"0 urgent in", "0 b in", "0 c in", "5 urgent out", "5 greedy evicted", "5 b evicted",
+                   "5 big in", "6 big out", "6 b in", "8 c out", "9 b out"});
+}
+
 TEST_CASE("a process does not evict itself", "[resource]") {
   Simulation sim;
   Resource resource(sim, "r");

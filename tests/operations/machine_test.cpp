@@ -1,5 +1,7 @@
 // The same operation on two machines: what spindles and safety clutches add to plans.
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "models/dynamics/k201_bearing_resonance.h"
 #include "models/dynamics/k206_spindle_base_frequencies.h"
@@ -104,6 +106,37 @@ TEST_CASE("turning: a bearing that resonates parametrically forbids bands of spe
   growth.stiffness_ratio = 0.25 + 0.05 * share;
   growth.damping_ratio = b.damping_ratio;
   CHECK(models::k201::parametric_growth_rate(growth).unstable == 1);
+  // The bands are those of the search with the step that is asked for.
+  const auto searched = [&](double step_rpm) {
+    models::k201::BandInputs in;
+    in.speed_nodes_rpm = b.speed_nodes_rpm;
+    for (const double hz : b.natural_frequency_hz) in.p_nodes_rad_s.push_back(2 * std::numbers::pi * hz);
+    in.ratio_nodes = b.stiffness_ratio;
+    in.cage_ratio = cage;
+    in.harmonic = b.harmonic;
+    in.damping_ratio = b.damping_ratio;
+    in.n_min_rpm = 300;  // slower ones are beyond the tenth zone
+    in.n_max_rpm = example.file.spindle->speed_max_rpm;
+    in.step_rpm = step_rpm;
+    return models::k201::parametric_speed_bands(in).bands;
+  };
+  std::size_t fewest = 1000, most = 0;
+  for (const double step_rpm : {5.0, 50.0, 4000.0}) {
+    Spindle coarse = *example.file.spindle;
+    coarse.speed_min_rpm = 300;
+    coarse.bearings->speed_step_rpm = step_rpm;
+    const auto found = coarse.dynamics().parametric;
+    const auto expected = searched(step_rpm);
+    INFO("step " << step_rpm);
+    REQUIRE(found.size() == expected.size());
+    for (std::size_t k = 0; k < found.size(); ++k) {
+      CHECK(found[k].low_rpm == Approx(expected[k].n_low_rpm).epsilon(1e-9));
+      CHECK(found[k].high_rpm == Approx(expected[k].n_high_rpm).epsilon(1e-9));
+    }
+    fewest = std::min(fewest, found.size());
+    most = std::max(most, found.size());
+  }
+  CHECK(fewest < most);  // a band narrower than the step is missed
   // Enough damping and there is no band.
   Spindle damped = *example.file.spindle;
   damped.bearings->damping_ratio = 0.2;
@@ -172,6 +205,10 @@ TEST_CASE("safety clutch: stops and breaks per part follow the spikes", "[K204]"
   CHECK(p.overload->trip_probability == Approx(1 - std::exp(-p.overload->trips_per_part)));
   CHECK(p.overload->breaks_per_part == Approx(0.5 * p.main_time_min * spike.p_break));
   CHECK(value_of(p, "overload_break_probability_no_clutch") > p.overload->break_probability);
+  for (const Quantity& q : p.quantities)
+    if (std::string_view(q.name).starts_with("overload_") && std::string_view(q.unit) == "1")
+      CHECK_THAT(q.origin, Contains("K204.overload_spike_outcome"));
+  CHECK_THAT(p.overload->origin, Contains("K204.overload_spike_outcome"));
 
   // The setting with the least expected cost: none of many others is cheaper.
   const double best_nm = optimal_setting_nm(clutch, p, 4, 300);

@@ -214,6 +214,34 @@ TEST_CASE("a stop of the machine for another reason is used too") {
   CHECK(mean_of(run, "tool/tool/joined_changes") == mean_of(run, "tool/tool/planned_changes"));
 }
 
+TEST_CASE("a machine that fails while an edge is changed is repaired when the change is done") {
+  // Edges are changed whenever the machine stops for chips; it fails by the calendar, often during a change
+  // of 30 min. The fitter is busy with the changes alone and never stands by while others repair.
+  auto cell = tool_cell();
+  cell["simulation"]["replications"] = 2;
+  cell["inserts"][0]["edge_life"]["law"] = "weibull";
+  cell["inserts"][0]["edge_life"]["cv"] = 0.05;
+  cell["tools"][0]["strategy"] = {{"kind", "opportunistic"}, {"gamma", 0.99}, {"window", 0.9}};
+  for (const char* how : {"index", "replace"}) cell["tools"][0]["change"][how]["value_min"] = 30;
+  cell["crews"].push_back({{"name", "menders"}, {"members", 1}});
+  cell["machines"][0]["maintenance"] = {{{"name", "chips"},
+                                         {"clock", "parts"},
+                                         {"interval", 2},
+                                         {"duration", {{"kind", "constant"}, {"value_min", 2}}}}};
+  cell["machines"][0]["failures"] = {{{"name", "belt"},
+                                      {"clock", "calendar"},
+                                      {"time_to_failure", {{"kind", "exponential"}, {"rate_per_min", 0.01}}},
+                                      {"repair", {{"kind", "constant"}, {"value_min", 50}}},
+                                      {"crew", "menders"}}};
+  const auto run = run_with(cell, {});
+  const double changes = mean_of(run, "tool/tool/planned_changes") + mean_of(run, "tool/tool/failures");
+  CHECK(mean_of(run, "machine/lathe/failures/belt") > 1000);
+  CHECK(mean_of(run, "tool/tool/joined_changes") > 1000);
+  CHECK(mean_of(run, "crew/crew/utilization") * counted_min(cell) == Approx(30 * changes).epsilon(0.001));
+  CHECK(mean_of(run, "crew/menders/utilization") * counted_min(cell) ==
+        Approx(50 * mean_of(run, "machine/lathe/failures/belt")).epsilon(0.002));
+}
+
 TEST_CASE("inserts treated by magnetic pulses are the treated inserts, bit for bit") {
   const auto plain = scenarios::read_json_file(VERSTAT_SOURCE_DIR "/scenarios/gallery/heavy-lathe.json");
   const auto prepared = load_with(
