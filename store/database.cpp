@@ -13,26 +13,13 @@
 #include <sys/statvfs.h>
 #include <unistd.h>
 
+#include "store/naming.h"
 #include "store/schema.h"
 
 namespace verstat::store {
 namespace {
 
 constexpr int busy_timeout_ms = 10'000;
-
-// Every failure leaves as a StoreError that names the file.
-template <class Body>
-auto naming(const std::filesystem::path& file, Body&& body) {
-  try {
-    return body();
-  } catch (const SQLite::Exception& e) {
-    throw StoreError(
-        fmt::format("database {}: {}", file.string(), e.getErrorStr()[0] != 0 ? e.what() : "unknown error"));
-  } catch (const StoreError& e) {
-    if (std::string_view(e.what()).starts_with("database ")) throw;
-    throw StoreError(fmt::format("database {} {}", file.string(), e.what()));
-  }
-}
 
 std::string blob_of(const std::vector<double>& values) {
   std::string bits(values.size() * sizeof(double), '\0');
@@ -224,10 +211,10 @@ auto Writer::alone(Body&& body) const {
   lock_->check_database();
   // Looked at again afterwards, when nothing else went wrong.
   if constexpr (std::is_void_v<std::invoke_result_t<Body>>) {
-    naming(file_, std::forward<Body>(body));
+    naming("database", file_, std::forward<Body>(body));
     lock_->check_database();
   } else {
-    auto result = naming(file_, std::forward<Body>(body));
+    auto result = naming("database", file_, std::forward<Body>(body));
     lock_->check_database();
     return result;
   }
@@ -238,6 +225,7 @@ Writer::Writer(const std::filesystem::path& file) : file_(file), lock_(std::make
     db_ = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
                                              busy_timeout_ms);
     lock_->remember_database();
+    refuse_foreign(*db_);
     db_->exec("PRAGMA journal_mode = WAL");
     db_->exec("PRAGMA journal_size_limit = 67108864");
     set_durable(true);
@@ -255,7 +243,8 @@ Writer::~Writer() {
 }
 
 void Writer::set_durable(bool durable) {
-  naming(file_, [&] { db_->exec(durable ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL"); });
+  naming("database", file_,
+         [&] { db_->exec(durable ? "PRAGMA synchronous = FULL" : "PRAGMA synchronous = NORMAL"); });
 }
 
 std::int64_t Writer::add_run(const Run& run) {
@@ -442,25 +431,27 @@ std::string unchanging(const std::filesystem::path& file) {
 
 }  // namespace
 
-Reader::Reader(const std::filesystem::path& file) : file_(file) {
+std::unique_ptr<SQLite::Database> open_to_read(const std::filesystem::path& file) {
   std::error_code error;
   if (!std::filesystem::exists(file, error))
     throw StoreError(fmt::format("database {} does not exist; `verstat run SCENARIO --db {}` makes one",
                                  file.string(), file.string()));
-  naming(file_, [&] {
-    if (on_read_only_disk(file)) {
-      db_ = std::make_unique<SQLite::Database>(unchanging(file), SQLite::OPEN_READONLY | SQLite::OPEN_URI);
-    } else {
-      db_ = std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
-    }
-    db_->exec("PRAGMA wal_autocheckpoint = 0");
-    const int version = db_->execAndGet("PRAGMA user_version").getInt();
+  return naming("database", file, [&] {
+    auto db =
+        on_read_only_disk(file)
+            ? std::make_unique<SQLite::Database>(unchanging(file), SQLite::OPEN_READONLY | SQLite::OPEN_URI)
+            : std::make_unique<SQLite::Database>(file.string(), SQLite::OPEN_READONLY, busy_timeout_ms);
+    db->exec("PRAGMA wal_autocheckpoint = 0");
+    const int version = db->execAndGet("PRAGMA user_version").getInt();
     if (version != schema_version)
       throw StoreError(fmt::format(
           "has schema {}, this program reads {}; {}", version, schema_version,
           version > schema_version ? "update the program" : "any writing command brings it up to date"));
+    return db;
   });
 }
+
+Reader::Reader(const std::filesystem::path& file) : file_(file), db_(open_to_read(file)) {}
 Reader::~Reader() = default;
 
 namespace {
@@ -504,7 +495,7 @@ StudyHeader study_header(SQLite::Statement& row) {
 }  // namespace
 
 std::vector<RunHeader> Reader::runs(std::int64_t limit, std::int64_t offset) const {
-  return naming(file_, [&] {
+  return naming("database", file_, [&] {
     SQLite::Statement q(*db_, fmt::format("SELECT {} FROM run JOIN scenario ON scenario.id = run.scenario_id "
                                           "ORDER BY run.id DESC LIMIT ? OFFSET ?",
                                           run_columns));
@@ -517,11 +508,11 @@ std::vector<RunHeader> Reader::runs(std::int64_t limit, std::int64_t offset) con
 }
 
 std::int64_t Reader::run_count() const {
-  return naming(file_, [&] { return db_->execAndGet("SELECT count(*) FROM run").getInt64(); });
+  return naming("database", file_, [&] { return db_->execAndGet("SELECT count(*) FROM run").getInt64(); });
 }
 
 std::optional<Run> Reader::run(std::int64_t id, bool replications) const {
-  return naming(file_, [&]() -> std::optional<Run> {
+  return naming("database", file_, [&]() -> std::optional<Run> {
     // One read transaction, so that the parts of the answer belong together.
     SQLite::Transaction snapshot(*db_);
     Run run;
@@ -561,7 +552,7 @@ std::optional<Run> Reader::run(std::int64_t id, bool replications) const {
 }
 
 std::vector<StudyHeader> Reader::studies(std::int64_t limit, std::int64_t offset) const {
-  return naming(file_, [&] {
+  return naming("database", file_, [&] {
     SQLite::Statement q(*db_,
                         fmt::format("SELECT {} FROM study JOIN scenario ON scenario.id = study.scenario_id "
                                     "ORDER BY study.id DESC LIMIT ? OFFSET ?",
@@ -576,11 +567,11 @@ std::vector<StudyHeader> Reader::studies(std::int64_t limit, std::int64_t offset
 }
 
 std::int64_t Reader::study_count() const {
-  return naming(file_, [&] { return db_->execAndGet("SELECT count(*) FROM study").getInt64(); });
+  return naming("database", file_, [&] { return db_->execAndGet("SELECT count(*) FROM study").getInt64(); });
 }
 
 std::optional<Study> Reader::study(std::int64_t id, bool trials) const {
-  auto found = naming(file_, [&]() -> std::optional<Study> {
+  auto found = naming("database", file_, [&]() -> std::optional<Study> {
     SQLite::Transaction snapshot(*db_);
     Study study;
     {
@@ -632,7 +623,7 @@ std::optional<Study> Reader::study(std::int64_t id, bool trials) const {
   });
   if (found)
     found->header.status =
-        naming(file_, [&] { return present_status(*db_, file_, id, found->header.status); });
+        naming("database", file_, [&] { return present_status(*db_, file_, id, found->header.status); });
   return found;
 }
 

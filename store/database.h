@@ -71,10 +71,13 @@ class Writer {
 [[nodiscard]] std::string present_status(SQLite::Database& db, const std::filesystem::path& file,
                                          std::int64_t id, const std::string& recorded);
 
+/// Opens an existing database of this program's schema to read, also on a read-only disk. Throws StoreError
+/// when there is none or its schema is another.
+[[nodiscard]] std::unique_ptr<SQLite::Database> open_to_read(const std::filesystem::path& file);
+
 class Reader {
  public:
-  /// Opens an existing database read-only. Throws StoreError when there is none or it is newer than this
-  /// program.
+  /// As open_to_read.
   explicit Reader(const std::filesystem::path& file);
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;

@@ -8,23 +8,13 @@
 #include <sqlite3.h>
 
 #include "store/database.h"
+#include "store/naming.h"
 #include "store/notes.h"
 #include "store/text_search.h"
 
 namespace verstat::store {
 
 namespace {
-
-constexpr int busy_ms = 10'000;
-
-template <class Body>
-auto naming(const std::filesystem::path& file, Body&& body) {
-  try {
-    return body();
-  } catch (const SQLite::Exception& e) {
-    throw StoreError(fmt::format("database {}: {}", file.string(), e.what()));
-  }
-}
 
 std::string_view text_of(sqlite3_value* value) {
   const auto* text = reinterpret_cast<const char*>(sqlite3_value_text(value));
@@ -90,6 +80,9 @@ TrialRow trial_of(SQLite::Statement& q) {
           .replications = q.getColumn(6).getInt64()};
 }
 
+constexpr const char* trial_columns =
+    "number, stage, variables, objective, feasible, half_width, replications";
+
 std::string placeholders(std::size_t count) {
   std::string all;
   for (std::size_t k = 0; k < count; ++k) all += k == 0 ? "?" : ", ?";
@@ -133,12 +126,8 @@ const std::vector<std::string>& Listing::study_sorts() {
   return names;
 }
 
-Listing::Listing(const std::filesystem::path& database) : file_(database) {
-  static_cast<void>(Reader(database));  // one place knows which databases can be read, and says it well
-  naming(file_, [&] {
-    db_ = std::make_unique<SQLite::Database>(database.string(), SQLite::OPEN_READONLY | SQLite::OPEN_URI,
-                                             busy_ms);
-    db_->exec("PRAGMA wal_autocheckpoint = 0");
+Listing::Listing(const std::filesystem::path& database) : file_(database), db_(open_to_read(database)) {
+  naming("database", file_, [&] {
     db_->exec("PRAGMA temp_store = MEMORY");
     const std::filesystem::path notes = notes_file(database);
     std::error_code error;
@@ -158,19 +147,13 @@ Listing::Listing(const std::filesystem::path& database) : file_(database) {
       db_->exec("CREATE TEMP TABLE note(subject TEXT, id INTEGER, text TEXT)");
       db_->exec("CREATE TEMP TABLE tag(subject TEXT, id INTEGER, name TEXT)");
     }
-    {
-      SQLite::Statement q(
-          *db_,
-          "SELECT count(*) FROM pragma_table_info('trial') WHERE name IN ('half_width', 'replications')");
-      with_replications_ = q.executeStep() && q.getColumn(0).getInt() == 2;
-    }
     db_->createFunction("has_word", -1, true, nullptr, has_word, nullptr, nullptr, nullptr);
   });
 }
 Listing::~Listing() = default;
 
 ListPage<RunHeader> Listing::runs(const ListQuery& query) const {
-  return naming(file_, [&] {
+  return naming("database", file_, [&] {
     const Where where = where_of(notes_, "run", "scenario.name, run.label, run.changes", query);
     ListPage<RunHeader> page;
     {
@@ -217,7 +200,7 @@ ListPage<RunHeader> Listing::runs(const ListQuery& query) const {
 }
 
 ListPage<StudyHeader> Listing::studies(const ListQuery& query) const {
-  return naming(file_, [&] {
+  return naming("database", file_, [&] {
     const Where where =
         where_of(notes_, "study", "study.name, scenario.name, study.objective, study.changes", query);
     ListPage<StudyHeader> page;
@@ -264,7 +247,7 @@ ListPage<StudyHeader> Listing::studies(const ListQuery& query) const {
 
 std::map<std::int64_t, std::vector<KpiSummary>> Listing::kpis(const std::vector<std::int64_t>& runs,
                                                               const std::vector<std::string>& names) const {
-  return naming(file_, [&] {
+  return naming("database", file_, [&] {
     std::map<std::int64_t, std::vector<KpiSummary>> all;
     if (runs.empty() || names.empty()) return all;
     SQLite::Statement q(
@@ -286,7 +269,7 @@ std::map<std::int64_t, std::vector<KpiSummary>> Listing::kpis(const std::vector<
 }
 
 std::map<std::int64_t, std::string> Listing::currencies(const std::vector<std::int64_t>& runs) const {
-  return naming(file_, [&] {
+  return naming("database", file_, [&] {
     std::map<std::int64_t, std::string> all;
     SQLite::Statement q(*db_, "SELECT currency FROM run WHERE id = ?");
     for (const std::int64_t id : runs) {
@@ -299,7 +282,7 @@ std::map<std::int64_t, std::string> Listing::currencies(const std::vector<std::i
 }
 
 bool Listing::has_kpi(const std::string& name) const {
-  return naming(file_, [&] {
+  return naming("database", file_, [&] {
     SQLite::Statement q(*db_, "SELECT 1 FROM kpi WHERE name = ? LIMIT 1");
     q.bind(1, name);
     return q.executeStep();
@@ -307,16 +290,11 @@ bool Listing::has_kpi(const std::string& name) const {
 }
 
 bool Listing::has_study(std::int64_t id) const {
-  return naming(file_, [&] {
+  return naming("database", file_, [&] {
     SQLite::Statement q(*db_, "SELECT 1 FROM study WHERE id = ?");
     q.bind(1, id);
     return q.executeStep();
   });
-}
-
-std::string Listing::trial_columns() const {
-  return std::string("number, stage, variables, objective, feasible, ") +
-         (with_replications_ ? "half_width, replications" : "NULL, 0");
 }
 
 std::int64_t Listing::trial_count(std::int64_t study) const {
@@ -326,13 +304,13 @@ std::int64_t Listing::trial_count(std::int64_t study) const {
 }
 
 ListPage<TrialRow> Listing::trials(std::int64_t study, const TrialQuery& query) const {
-  return naming(file_, [&] {
+  return naming("database", file_, [&] {
     ListPage<TrialRow> page;
     page.total = trial_count(study);
     SQLite::Statement q(
         *db_,
         fmt::format(
-            "SELECT {} FROM trial WHERE study_id = ? AND number > ? {} LIMIT ? OFFSET ?", trial_columns(),
+            "SELECT {} FROM trial WHERE study_id = ? AND number > ? {} LIMIT ? OFFSET ?", trial_columns,
             query.by_objective
                 ? (query.highest ? "AND objective IS NOT NULL ORDER BY feasible DESC, objective DESC, number"
                                  : "AND objective IS NOT NULL ORDER BY feasible DESC, objective, number")
@@ -347,9 +325,9 @@ ListPage<TrialRow> Listing::trials(std::int64_t study, const TrialQuery& query) 
 }
 
 ListPage<TrialRow> Listing::sample(std::int64_t study, std::int64_t most, bool highest) const {
-  const std::int64_t total = naming(file_, [&] { return trial_count(study); });
+  const std::int64_t total = naming("database", file_, [&] { return trial_count(study); });
   if (total <= most) return trials(study, {.limit = most});
-  return naming(file_, [&] {
+  return naming("database", file_, [&] {
     ListPage<TrialRow> page;
     page.total = total;
     const std::int64_t cheap = most / 2;
@@ -362,7 +340,7 @@ ListPage<TrialRow> Listing::sample(std::int64_t study, std::int64_t most, bool h
                     "SELECT number FROM trial WHERE study_id = ?1 AND number % ?2 = 0 UNION ALL "
                     "SELECT number FROM (SELECT number FROM trial WHERE study_id = ?1 AND objective IS "
                     "NOT NULL AND feasible = 1 ORDER BY objective {}, number LIMIT ?3)) ORDER BY number",
-                    trial_columns(), highest ? "DESC" : "ASC"));
+                    trial_columns, highest ? "DESC" : "ASC"));
     q.bind(1, study);
     q.bind(2, step);
     q.bind(3, cheap);

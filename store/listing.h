@@ -81,9 +81,7 @@ class Listing {
   [[nodiscard]] std::int64_t trial_count(std::int64_t study) const;
   std::filesystem::path file_;
   std::unique_ptr<SQLite::Database> db_;
-  [[nodiscard]] std::string trial_columns() const;
-  bool with_replications_ = false;  // trials of this database say how they were simulated
-  std::string notes_ = "notes";     // schema name of the notes within the connection
+  std::string notes_ = "notes";  // schema name of the notes within the connection
 };
 
 }  // namespace verstat::store

@@ -6,7 +6,7 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <fmt/format.h>
 
-#include "store/database.h"
+#include "store/naming.h"
 #include "store/text_search.h"
 
 namespace verstat::store {
@@ -18,15 +18,6 @@ constexpr int busy_ms = 5'000;
 
 const char* word_of(Subject subject) {
   return subject == Subject::run ? "run" : "study";
-}
-
-template <class Body>
-auto naming(const std::filesystem::path& file, Body&& body) {
-  try {
-    return body();
-  } catch (const SQLite::Exception& e) {
-    throw StoreError(fmt::format("notes {}: {}", file.string(), e.what()));
-  }
 }
 
 void check_version(const std::filesystem::path& file, SQLite::Database& db) {
@@ -56,10 +47,10 @@ Annotation checked(const Annotation& given) {
     throw std::invalid_argument(fmt::format("tags: {}, allowed at most {}", a.tags.size(), Notes::most_tags));
   if (!is_utf8(a.note)) throw std::invalid_argument("note: must be UTF-8 text");
   for (const std::string& tag : a.tags) {
-    if (tag.size() > Notes::longest_tag)
-      throw std::invalid_argument(fmt::format("tag \"{}...\": {} bytes, allowed at most {}",
-                                              tag.substr(0, 20), tag.size(), Notes::longest_tag));
     if (!is_utf8(tag)) throw std::invalid_argument("tags: must be UTF-8 texts");
+    if (tag.size() > Notes::longest_tag)
+      throw std::invalid_argument(
+          fmt::format("tags: one has {} bytes, allowed at most {}", tag.size(), Notes::longest_tag));
     if (tag.find(',') != std::string::npos)
       throw std::invalid_argument(fmt::format("tag \"{}\": must not hold a comma", tag));
   }
@@ -76,7 +67,7 @@ Notes::Notes(std::filesystem::path database) : file_(notes_file(database)) {}
 
 void Notes::set(Subject subject, std::int64_t id, const Annotation& annotation) const {
   const Annotation a = checked(annotation);
-  naming(file_, [&] {
+  naming("notes", file_, [&] {
     // A rollback journal, not a write-ahead log: nothing of this file may be lost, and it is written rarely.
     SQLite::Database db(file_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, busy_ms);
     SQLite::Transaction transaction(db, SQLite::TransactionBehavior::IMMEDIATE);
@@ -134,7 +125,7 @@ std::unique_ptr<SQLite::Database> Notes::open_to_read() const {
 }
 
 std::map<std::int64_t, Annotation> Notes::of(Subject subject, const std::vector<std::int64_t>& ids) const {
-  return naming(file_, [&] {
+  return naming("notes", file_, [&] {
     std::map<std::int64_t, Annotation> all;
     const auto db = open_to_read();
     if (!db) return all;
@@ -162,7 +153,7 @@ Annotation Notes::get(Subject subject, std::int64_t id) const {
 }
 
 std::map<std::string, std::int64_t> Notes::tags() const {
-  return naming(file_, [&] {
+  return naming("notes", file_, [&] {
     std::map<std::string, std::int64_t> all;
     const auto db = open_to_read();
     if (!db) return all;

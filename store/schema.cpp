@@ -135,11 +135,21 @@ ALTER TABLE run ADD COLUMN fingerprint TEXT NOT NULL DEFAULT '';
 )sql"};
 static_assert(steps.size() == schema_version);
 
+bool is_empty(SQLite::Database& db) {
+  return db.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
+}
+
 }  // namespace
+
+void refuse_foreign(SQLite::Database& db) {
+  const int version = db.execAndGet("PRAGMA user_version").getInt();
+  if (version < 0 || (version == 0 && !is_empty(db)))
+    throw StoreError(fmt::format("is of another program (user_version {}); choose another --db", version));
+}
 
 void migrate(SQLite::Database& db, const std::filesystem::path& file) {
   // A new file holds nothing that a copy could save.
-  bool kept = db.execAndGet("SELECT count(*) FROM sqlite_master").getInt() == 0;
+  bool kept = is_empty(db);
   for (;;) {
     const int found = db.execAndGet("PRAGMA user_version").getInt();
     if (found > 0 && found < schema_version && !kept) {

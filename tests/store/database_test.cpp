@@ -6,24 +6,14 @@
 
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <catch2/catch.hpp>
-#include <unistd.h>
+
+#include "tests/store/temporary_file.h"
 
 using namespace verstat::store;
+using verstat::test::TemporaryFile;
 namespace fs = std::filesystem;
 
 namespace {
-
-// A file name that is free, removed with its companions at the end.
-struct TemporaryFile {
-  fs::path path = fs::temp_directory_path() / ("verstat-store-test-" + std::to_string(::getpid()) + ".db");
-  TemporaryFile() { clear(); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() { clear(); }
-  void clear() const {
-    for (const char* suffix : {"", "-wal", "-shm", ".lock"}) fs::remove(path.string() + suffix);
-  }
-};
 
 Run sample_run() {
   Run run;

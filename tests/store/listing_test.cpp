@@ -7,28 +7,17 @@
 #include <SQLiteCpp/SQLiteCpp.h>
 #include <catch2/catch.hpp>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include "store/database.h"
 #include "store/notes.h"
 #include "store/text_search.h"
+#include "tests/store/temporary_file.h"
 
 using namespace verstat::store;
+using verstat::test::TemporaryFile;
 namespace fs = std::filesystem;
 
 namespace {
-
-struct TemporaryFile {
-  fs::path path = fs::temp_directory_path() / fmt::format("verstat-listing-{}.db", ::getpid());
-  TemporaryFile() { clear(); }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
-  ~TemporaryFile() { clear(); }
-  void clear() const {
-    for (const char* suffix : {"", "-wal", "-shm", ".lock", ".notes", ".notes-journal"})
-      fs::remove(path.string() + suffix);
-  }
-};
 
 Study a_study(const std::string& name) {
   Study study;
