@@ -1,6 +1,7 @@
 #include "app/cli.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <chrono>
 #include <cstdlib>
@@ -20,6 +21,7 @@
 #include "fit/order_file.h"
 #include "models/catalogue/closest.h"
 #include "models/catalogue/error.h"
+#include "models/catalogue/shortened.h"
 #include "optimize/ledger.h"
 #include "sim/kernel/errors.h"
 #include "store/database.h"
@@ -66,8 +68,8 @@ Number whole(const std::string& flag, const std::string& text, Number low, Numbe
   Number value{};
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || stop != text.data() + text.size() || value < low || value > high)
-    throw UsageError(
-        fmt::format("{} {}: must be a whole number from {} to {}", flag, text.substr(0, 100), low, high));
+    throw UsageError(fmt::format("{} {}: must be a whole number from {} to {}", flag,
+                                 models::shortened(text, 100), low, high));
   return value;
 }
 
@@ -216,19 +218,36 @@ void check_text(int argc, char** argv) {
     throw UsageError(
         fmt::format("argument {}, \"{}\", is not UTF-8 text; rename the file or type it anew in a "
                     "terminal that writes UTF-8",
-                    k, word.substr(0, 200)));
+                    k, models::shortened(word, 200)));
   }
 }
 
-// CLI11 would only say that a sub-command is required.
-void check_subcommand(const CLI::App& program, int argc, char** argv) {
-  if (argc < 2 || argv[1][0] == '-') return;
-  std::vector<std::string> names;
-  for (const CLI::App* command : program.get_subcommands({})) names.push_back(command->get_name());
-  if (std::find(names.begin(), names.end(), argv[1]) != names.end()) return;
-  throw UsageError(
-      fmt::format("there is no command \"{}\"; closest: \"{}\" (verstat --help shows what there is)", argv[1],
-                  models::closest(argv[1], names)));
+struct Command {
+  std::string_view name;
+  void (*add)(CLI::App& program);
+};
+constexpr std::array commands = {Command{"validate", add_validate},   Command{"run", add_run},
+                                 Command{"compare", add_compare},     Command{"sweep", add_sweep},
+                                 Command{"losses", add_losses},       Command{"optimize", add_optimize},
+                                 Command{"plan", add_plan},           Command{"models", add_models},
+                                 Command{"runs", add_runs},           Command{"fit", add_fit},
+                                 Command{"calibrate", add_calibrate}, Command{"serve", add_serve},
+                                 Command{"schema", add_schema},       Command{"trace", add_trace},
+                                 Command{"graph", add_graph}};
+
+// Describes the command that is asked for; all of them for the help of the whole program.
+void add_commands(CLI::App& program, const std::string& asked) {
+  for (const Command& command : commands)
+    if (asked == command.name) return command.add(program);
+  // CLI11 would only say that a sub-command is required.
+  if (!asked.empty() && asked.front() != '-') {
+    std::vector<std::string> names;
+    for (const Command& command : commands) names.emplace_back(command.name);
+    throw UsageError(
+        fmt::format("there is no command \"{}\"; closest: \"{}\" (verstat --help shows what there is)", asked,
+                    models::closest(asked, names)));
+  }
+  for (const Command& command : commands) command.add(program);
 }
 
 }  // namespace
@@ -242,24 +261,9 @@ int run_program(int argc, char** argv) {
   program.require_subcommand(1);
   program.footer(
       "Example:\n  verstat run scenarios/gallery/heavy-lathe.json --set /tools/0/strategy/gamma=0.47");
-  add_validate(program);
-  add_run(program);
-  add_compare(program);
-  add_sweep(program);
-  add_losses(program);
-  add_optimize(program);
-  add_plan(program);
-  add_models(program);
-  add_runs(program);
-  add_fit(program);
-  add_calibrate(program);
-  add_serve(program);
-  add_schema(program);
-  add_trace(program);
-  add_graph(program);
   try {
     check_text(argc, argv);
-    check_subcommand(program, argc, argv);
+    add_commands(program, argc < 2 ? "" : argv[1]);
     program.parse(argc, argv);
     return success;
   } catch (const CLI::Success& e) {  // --help, --version

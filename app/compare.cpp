@@ -10,6 +10,7 @@
 #include "app/results.h"
 #include "app/study_session.h"
 #include "app/table.h"
+#include "models/catalogue/shortened.h"
 
 namespace verstat::app {
 
@@ -46,7 +47,7 @@ double number(const std::string& flag, const std::string& text, double low, doub
   }
   if (!(value > low && value < high))
     throw UsageError(fmt::format("{} {}: must be a number above {:g} and below {:g}", flag,
-                                 text.substr(0, 100), low, high));
+                                 models::shortened(text, 100), low, high));
   return value;
 }
 
@@ -55,8 +56,8 @@ std::pair<std::string, std::vector<scenarios::Change>> parse_variant(const std::
   const auto colon = text.find(':');
   const auto slash = text.find('/');
   if (colon == std::string::npos || slash == std::string::npos || colon > slash || colon == 0)
-    throw UsageError(
-        fmt::format("--variant {}: must be NAME: POINTER=VALUE; POINTER=VALUE; ...", text.substr(0, 200)));
+    throw UsageError(fmt::format("--variant {}: must be NAME: POINTER=VALUE; POINTER=VALUE; ...",
+                                 models::shortened(text, 200)));
   std::vector<scenarios::Change> changes;
   std::string rest = text.substr(colon + 1);
   while (!rest.empty()) {
@@ -144,14 +145,15 @@ void compare_variants(const CompareCommand& c) {
     for (const std::string& kpi : options.kpis) {
       const auto infos = shop::kpi_infos(v.loaded.scenario);
       if (std::none_of(infos.begin(), infos.end(), [&](const auto& i) { return i.name == kpi; }))
-        throw UsageError(fmt::format("--kpi {}: there is no such KPI in {}", kpi.substr(0, 100), v.name));
+        throw UsageError(
+            fmt::format("--kpi {}: there is no such KPI in {}", models::shortened(kpi, 100), v.name));
     }
   const int threads = thread_count(c.common);
 
   store::Study record;
   std::string title;
   for (const Variant& v : variants) title += (title.empty() ? "" : " / ") + v.name;
-  record.header = {.name = title.substr(0, 200),
+  record.header = {.name = std::string(models::shortened(title, 200)),
                    .scenario_name = variants.front().loaded.scenario.name,
                    .objective = options.kpis.front(),
                    .seed = variants.front().loaded.scenario.simulation.seed.value,
@@ -199,10 +201,10 @@ void compare_variants(const CompareCommand& c) {
   for (std::size_t v = 0; v < variants.size(); ++v) {
     std::vector<scenarios::Change> made = variants[v].changes;
     made.push_back({"/simulation/replications", comparison.replications});
-    runs.push_back(session.writer().add_run(
-        record_of(comparison.runs[v], variants[v].loaded, made,
-                  fmt::format("study {}: {}", session.id(), variants[v].name).substr(0, 200),
-                  elapsed_s / static_cast<double>(variants.size()))));
+    runs.push_back(session.writer().add_run(record_of(
+        comparison.runs[v], variants[v].loaded, made,
+        std::string(models::shortened(fmt::format("study {}: {}", session.id(), variants[v].name), 200)),
+        elapsed_s / static_cast<double>(variants.size()))));
     if (v < 2) session.writer().set_study_run(session.id(), v == 0, runs.back());
     ordered_json one = {{"name", variants[v].name}, {"run", runs.back()}};
     if (v > 0) {

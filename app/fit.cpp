@@ -14,6 +14,7 @@
 #include "fit/life_report.h"
 #include "fit/taylor_report.h"
 #include "fit/value_report.h"
+#include "models/catalogue/shortened.h"
 
 namespace verstat::app {
 namespace {
@@ -370,7 +371,7 @@ double real_flag(const std::string& flag, const std::string& text, double low, d
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || stop != text.data() + text.size() || !(value >= low) || !(value <= high))
     throw UsageError(
-        fmt::format("{} {}: must be a number from {} to {}", flag, text.substr(0, 100), low, high));
+        fmt::format("{} {}: must be a number from {} to {}", flag, models::shortened(text, 100), low, high));
   return value;
 }
 
@@ -379,8 +380,8 @@ std::int64_t whole_flag(const std::string& flag, const std::string& text, std::i
   std::int64_t value{};
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || stop != text.data() + text.size() || value < low || value > high)
-    throw UsageError(
-        fmt::format("{} {}: must be a whole number from {} to {}", flag, text.substr(0, 100), low, high));
+    throw UsageError(fmt::format("{} {}: must be a whole number from {} to {}", flag,
+                                 models::shortened(text, 100), low, high));
   return value;
 }
 
@@ -418,7 +419,7 @@ void answer(const fit::Report& report, bool json, const std::string& out, const 
     if (value.size() <= readable)
       fmt::print("  --set '{}={}'\n", change.pointer, value);
     else
-      fmt::print("  {}: {}... ({} characters)\n", change.pointer, value.substr(0, 60), value.size());
+      fmt::print("  {}: {}... ({} characters)\n", change.pointer, models::shortened(value, 60), value.size());
   }
 }
 

@@ -9,6 +9,7 @@
 #include "app/results.h"
 #include "app/study_session.h"
 #include "app/table.h"
+#include "models/catalogue/shortened.h"
 #include "store/result_json.h"
 
 namespace verstat::app {
@@ -74,7 +75,7 @@ void price_losses(const LossesCommand& c) {
   for (const std::string& text : c.own) {
     const auto colon = text.find(':');
     if (colon == std::string::npos || colon == 0 || text.find('/') < colon)
-      throw UsageError(fmt::format("--loss {}: must be NAME: POINTER=VALUE", text.substr(0, 200)));
+      throw UsageError(fmt::format("--loss {}: must be NAME: POINTER=VALUE", models::shortened(text, 200)));
     const auto begin = text.find_first_not_of(' ', colon + 1);
     losses.push_back(
         {text.substr(0, colon),

@@ -12,6 +12,7 @@
 #include "app/study_report.h"
 #include "app/study_session.h"
 #include "models/catalogue/error.h"
+#include "models/catalogue/shortened.h"
 
 namespace verstat::app {
 
@@ -72,7 +73,7 @@ double seconds(const std::string& text) {
   double value = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || stop != text.data() + text.size() || !(value > 0) || value > 1e9)
-    throw UsageError(fmt::format("--time {}: must be seconds above 0", text.substr(0, 100)));
+    throw UsageError(fmt::format("--time {}: must be seconds above 0", models::shortened(text, 100)));
   return value;
 }
 

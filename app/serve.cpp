@@ -7,6 +7,7 @@
 
 #include "app/cli.h"
 #include "app/version.h"
+#include "models/catalogue/shortened.h"
 #include "store/database.h"
 #include "web-ui/server/http.h"
 #include "web-ui/server/jobs.h"
@@ -24,7 +25,7 @@ std::uint16_t port_of(const std::string& text) {
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), port);
   if (error != std::errc() || stop != text.data() + text.size())
     throw UsageError(fmt::format("--port {}: must be a whole number from 0 (any free port) to 65535",
-                                 text.substr(0, 100)));
+                                 models::shortened(text, 100)));
   return port;
 }
 

@@ -8,6 +8,7 @@
 #include "app/elsewhere.h"
 #include "app/interrupt.h"
 #include "app/results.h"
+#include "models/catalogue/shortened.h"
 #include "store/result_json.h"
 
 namespace verstat::app {
@@ -23,7 +24,8 @@ void add_progress(CLI::App& command, std::string& progress) {
 
 void check_progress(const std::string& progress) {
   if (progress != "bar" && progress != "json" && progress != "none")
-    throw UsageError(fmt::format("--progress {}: must be bar, json or none", progress.substr(0, 100)));
+    throw UsageError(
+        fmt::format("--progress {}: must be bar, json or none", models::shortened(progress, 100)));
 }
 
 StudySession::StudySession(const std::string& db, store::Study record, const std::string& progress)
@@ -204,7 +206,7 @@ std::int64_t study_number(const std::string& text) {
   std::int64_t id = 0;
   const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), id);
   if (error != std::errc() || stop != text.data() + text.size() || id < 1)
-    throw UsageError(fmt::format("--resume {}: must be the number of a study", text.substr(0, 100)));
+    throw UsageError(fmt::format("--resume {}: must be the number of a study", models::shortened(text, 100)));
   return id;
 }
 

@@ -10,6 +10,7 @@
 #include "app/study_session.h"
 #include "app/table.h"
 #include "models/catalogue/closest.h"
+#include "models/catalogue/shortened.h"
 #include "optimize/designs.h"
 #include "store/result_json.h"
 
@@ -63,7 +64,7 @@ Factor parse_factor(const std::string& text) {
   const auto fail = [&] {
     throw UsageError(fmt::format(
         "--factor {}: must be POINTER=LOW..HIGH, POINTER=LOW..HIGH:LEVELS or POINTER=VALUE,VALUE,...",
-        text.substr(0, 200)));
+        models::shortened(text, 200)));
   };
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || text[0] != '/') fail();
@@ -106,8 +107,8 @@ int points_of(const SweepCommand& c, int otherwise) {
   int points = 0;
   const auto [stop, error] = std::from_chars(c.points.data(), c.points.data() + c.points.size(), points);
   if (error != std::errc() || stop != c.points.data() + c.points.size() || points < 2 || points > 100'000)
-    throw UsageError(
-        fmt::format("--points {}: must be a whole number from 2 to 100000", c.points.substr(0, 100)));
+    throw UsageError(fmt::format("--points {}: must be a whole number from 2 to 100000",
+                                 models::shortened(c.points, 100)));
   return points;
 }
 
@@ -135,8 +136,8 @@ Design design_of(const SweepCommand& c, const std::vector<Factor>& factors, std:
   } catch (const std::invalid_argument& e) {
     throw UsageError(fmt::format("--design {}: {}", c.design, e.what()));
   }
-  throw UsageError(
-      fmt::format("--design {}: must be full, fractional, lhs, sobol or tornado", c.design.substr(0, 100)));
+  throw UsageError(fmt::format("--design {}: must be full, fractional, lhs, sobol or tornado",
+                               models::shortened(c.design, 100)));
 }
 
 std::string name_of(const std::vector<Factor>& factors, const std::vector<std::size_t>& which) {
@@ -178,7 +179,7 @@ void sweep(SweepCommand& c) {
   for (const auto& info : shop::kpi_infos(loaded.scenario)) names.push_back(info.name);
   for (const std::string& kpi : c.kpis)
     if (std::find(names.begin(), names.end(), kpi) == names.end())
-      throw UsageError(fmt::format("--kpi {}: there is no such KPI; closest: {}", kpi.substr(0, 100),
+      throw UsageError(fmt::format("--kpi {}: there is no such KPI; closest: {}", models::shortened(kpi, 100),
                                    models::closest(kpi, names)));
   // Every point is checked before the first is simulated.
   std::vector<std::vector<scenarios::Change>> at;
@@ -195,12 +196,13 @@ void sweep(SweepCommand& c) {
   const int threads = thread_count(c.common);
   if (session == nullptr) {
     store::Study record;
-    record.header = {.name = fmt::format("Sweep of {}", loaded.scenario.name).substr(0, 200),
-                     .scenario_name = loaded.scenario.name,
-                     .objective = c.kpis.front(),
-                     .seed = loaded.scenario.simulation.seed.value,
-                     .provenance = provenance(),
-                     .kind = "sweep"};
+    record.header = {
+        .name = std::string(models::shortened(fmt::format("Sweep of {}", loaded.scenario.name), 200)),
+        .scenario_name = loaded.scenario.name,
+        .objective = c.kpis.front(),
+        .seed = loaded.scenario.simulation.seed.value,
+        .provenance = provenance(),
+        .kind = "sweep"};
     record.study_text = ordered_json{
         {"factors", c.factors},
         {"design", c.design},

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include "models/catalogue/shortened.h"
 #include "scenarios/json_text.h"
 
 namespace verstat::fit {
@@ -340,7 +341,7 @@ std::optional<double> Columns::value(const Row& row, const std::string& key, std
   if (!value) value = parse_number(cell, table_.decimal);
   if (!value) {
     reason = fmt::format(
-        "\"{}\" is \"{}\", not a {}", head, cell.substr(0, 60),
+        "\"{}\" is \"{}\", not a {}", head, models::shortened(cell, 60),
         found->role.quantity == Quantity::moment_min ? "time such as 2026-03-01 14:05" : "number");
     return std::nullopt;
   }

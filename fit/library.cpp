@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "models/catalogue/shortened.h"
 #include "scenarios/json_text.h"
 
 namespace verstat::fit {
@@ -29,7 +30,7 @@ bool holds(const std::array<const char*, N>& kinds, const std::string& kind) {
 // A name of any alphabet as part of a file name.
 std::string file_name(const LibraryEntry& entry) {
   std::string name;
-  for (const char c : entry.name.substr(0, 100)) {
+  for (const char c : models::shortened(entry.name, 100)) {
     const bool harmless = static_cast<unsigned char>(c) > 0x20 && c != 0x7f &&
                           std::string_view("/\\:*?\"<>|'").find(c) == std::string_view::npos;
     name += harmless ? c : '_';
@@ -104,7 +105,8 @@ std::vector<Change> changes_of_use(const std::string& text) {
   const json& entry = j["entry"];
   if (holds(as_whole, kind)) return {{pointer, entry}};
   if (!holds(by_members, kind))
-    refuse(fmt::format("kind \"{}\": must be insert, failure, duration or supply", kind.substr(0, 60)));
+    refuse(
+        fmt::format("kind \"{}\": must be insert, failure, duration or supply", models::shortened(kind, 60)));
   std::vector<Change> changes;
   for (const auto& [member, value] : entry.items()) {
     if (member == "name") continue;

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "models/catalogue/closest.h"
+#include "models/catalogue/shortened.h"
 #include "operations/fields.h"
 
 namespace verstat::scenarios {
@@ -14,7 +15,7 @@ void fail(const std::string& pointer, const std::string& value, const std::strin
 }
 
 std::string quoted(const std::string& text) {
-  return fmt::format("\"{}\"", text.substr(0, 100));
+  return fmt::format("\"{}\"", models::shortened(text, 100));
 }
 
 void check_names(const std::vector<std::string>& names, const std::string& list) {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "models/catalogue/closest.h"
+#include "models/catalogue/shortened.h"
 
 namespace verstat::models {
 
@@ -102,7 +103,7 @@ const Function& Catalogue::at(std::string_view key) const {
   std::vector<std::string> keys;
   for (const Source& source : sources_)
     for (const Function& function : source.functions()) keys.push_back(function.key);
-  throw ModelError(std::string(key.substr(0, 100)), "",
+  throw ModelError(std::string(models::shortened(key, 100)), "",
                    fmt::format("there is no such model function; closest: \"{}\" (all: verstat models list)",
                                closest(key, keys)));
 }

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "models/catalogue/shortened.h"
+
 namespace verstat::models {
 
 const Value* Value::find(const std::string& name) const {
@@ -36,7 +38,7 @@ std::string Value::to_string() const {
   } else {
     out = "null";
   }
-  if (out.size() > longest + 3) out.replace(longest, std::string::npos, "...");
+  if (out.size() > longest + 3) out.replace(shortened(out, longest).size(), std::string::npos, "...");
   return out;
 }
 

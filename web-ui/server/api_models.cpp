@@ -199,7 +199,7 @@ Response map_model(const Call& call) {
   ordered_json answer = {{"output", output}};
   answer["values"] = std::move(rows);
   answer["refusals"] = std::move(errors);
-  return {.body = answer.dump() + "\n"};
+  return dense_response(answer);
 }
 
 Response list_kinds(const Call& call) {
@@ -258,7 +258,7 @@ Response make_plan(const Call& call) {
   }
   ordered_json answer = {{"pointer", axis.name}};
   answer["points"] = std::move(points);
-  return {.body = answer.dump() + "\n"};
+  return dense_response(answer);
 }
 
 Response show_schema(const Call& call) {

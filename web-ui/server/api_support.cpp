@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "models/catalogue/shortened.h"
 #include "scenarios/json_text.h"
 
 namespace verstat::web {
@@ -22,6 +23,10 @@ Response json_response(const ordered_json& body, int status) {
   return {.status = status, .body = body.dump(2, ' ', false, ordered_json::error_handler_t::replace) + "\n"};
 }
 
+Response dense_response(const ordered_json& body) {
+  return {.body = body.dump(-1, ' ', false, ordered_json::error_handler_t::replace) + "\n"};
+}
+
 Response csv_response(std::string body, const std::string& file) {
   return {.content_type = "text/csv; charset=utf-8",
           .body = std::move(body),
@@ -29,7 +34,7 @@ Response csv_response(std::string body, const std::string& file) {
 }
 
 std::string clipped(const std::string& text) {
-  return text.substr(0, 100);
+  return std::string(models::shortened(text, 100));
 }
 
 void check_query(const Target& target, std::initializer_list<std::string_view> known) {

@@ -25,6 +25,8 @@ struct Refused {
 };
 
 [[nodiscard]] Response json_response(const nlohmann::ordered_json& body, int status = 200);
+/// Without indentation, which would double what thousands of rows take.
+[[nodiscard]] Response dense_response(const nlohmann::ordered_json& body);
 [[nodiscard]] Response csv_response(std::string body, const std::string& file);
 /// At most 100 bytes, for messages.
 [[nodiscard]] std::string clipped(const std::string& text);

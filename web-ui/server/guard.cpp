@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "models/catalogue/shortened.h"
+
 namespace verstat::web {
 
 namespace {
@@ -46,7 +48,7 @@ std::optional<Response> refusal(const Guard& guard, const Request& request, bool
   if (host.empty()) return error_response(400, "the request has no Host header");
   if (!guard.hosts.empty() && std::find(guard.hosts.begin(), guard.hosts.end(), host) == guard.hosts.end())
     return error_response(403, fmt::format("this server answers to http://{}/ only, not to \"{}\"",
-                                           guard.hosts.front(), std::string_view(host).substr(0, 100)));
+                                           guard.hosts.front(), models::shortened(host, 100)));
   if (!reads_only(request)) {
     const std::string origin = lower(request.header("origin"));
     const std::string_view site = request.header("sec-fetch-site");

@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include "models/catalogue/shortened.h"
+
 namespace verstat::web {
 
 namespace {
@@ -63,8 +65,7 @@ Response Site::page(const Request& request, const Target& target) const {
     response.headers["Cache-Control"] = asset.immutable ? "public, max-age=31536000, immutable" : "no-cache";
     return response;
   }
-  return error_response(404,
-                        fmt::format("there is no page {}", std::string_view(request.target).substr(0, 100)));
+  return error_response(404, fmt::format("there is no page {}", models::shortened(request.target, 100)));
 }
 
 Response Site::unguarded(const Guard& guard, const Request& request) const {
@@ -72,7 +73,7 @@ Response Site::unguarded(const Guard& guard, const Request& request) const {
   if (!target) {
     if (auto refused = refusal(guard, request, true)) return *refused;
     return error_response(400, fmt::format("{}: not an address this server understands",
-                                           std::string_view(request.target).substr(0, 100)));
+                                           models::shortened(request.target, 100)));
   }
   const bool api = !target->path.empty() && target->path.front() == "api";
   if (auto refused = refusal(guard, request, api)) return *refused;
