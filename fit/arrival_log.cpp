@@ -143,21 +143,26 @@ ArrivalLog read_arrivals(const std::string& path, const ArrivalOptions& options,
     const auto day = [](double moment) { return static_cast<std::int64_t>(std::floor(moment / 1440)); };
     const std::int64_t first = day(log.moments_min.front());
     const std::int64_t last = day(log.moments_min.back());
-    std::vector<double> per_day(static_cast<std::size_t>(last - first + 1), 0);
-    std::vector<bool> works(per_day.size(), false);
-    for (std::int64_t d = first; d <= last; ++d)
+    const auto weekday = [](std::int64_t d) { return static_cast<std::size_t>(((d % 7) + 7) % 7); };
+    // Every week works alike: so many days of each kind, each with these hours.
+    std::array<double, 7> days{};
+    for (std::int64_t d = 0; d < 7; ++d)
+      if (last - first >= d) days[weekday(first + d)] = static_cast<double>((last - first - d) / 7 + 1);
+    std::array<bool, 7> works{};
+    for (std::size_t d = 0; d < 7; ++d)
       for (std::size_t h = 0; h < 24; ++h) {
         const double start = static_cast<double>(d) * 1440 + static_cast<double>(h) * 60;
         const double worked_h =
             (options.calendar.worked_min(start + 60) - options.calendar.worked_min(start)) / 60;
-        log.hours[h].exposure_h += worked_h;
-        log.weekdays[static_cast<std::size_t>(((d % 7) + 7) % 7)].exposure_h += worked_h;
-        if (worked_h > 0) works[static_cast<std::size_t>(d - first)] = true;
+        log.hours[h].exposure_h += days[d] * worked_h;
+        log.weekdays[d].exposure_h += days[d] * worked_h;
+        if (worked_h > 0) works[d] = true;
       }
+    std::map<std::int64_t, double> per_day;  // of days that work and have arrivals
     for (const double moment : log.moments_min) {
       const std::int64_t d = day(moment);
-      ++per_day[static_cast<std::size_t>(d - first)];
-      ++log.weekdays[static_cast<std::size_t>(((d % 7) + 7) % 7)].arrivals;
+      if (works[weekday(d)]) ++per_day[d];
+      ++log.weekdays[weekday(d)].arrivals;
       const double of_day = moment - static_cast<double>(d) * 1440;
       ++log.hours[std::min<std::size_t>(23, static_cast<std::size_t>(of_day / 60))].arrivals;
     }
@@ -174,14 +179,15 @@ ArrivalLog read_arrivals(const std::string& path, const ArrivalOptions& options,
       log.hours.clear();
     else
       log.hour_p_value = same_rate_p_value(log.hours);
-    for (std::size_t d = per_day.size(); d-- > 0;)
-      if (!works[d]) per_day.erase(per_day.begin() + static_cast<std::ptrdiff_t>(d));
-    double mean = 0;
-    for (const double n : per_day) mean += n / static_cast<double>(per_day.size());
-    double squares = 0;
-    for (const double n : per_day) squares += (n - mean) * (n - mean);
-    if (per_day.size() > 1 && mean > 0) {
-      const auto degrees = static_cast<double>(per_day.size() - 1);
+    double working_days = 0;
+    for (std::size_t d = 0; d < 7; ++d) working_days += works[d] ? days[d] : 0;
+    double arrived = 0;
+    for (const auto& [d, n] : per_day) arrived += n;
+    const double mean = working_days > 0 ? arrived / working_days : 0;
+    double squares = (working_days - static_cast<double>(per_day.size())) * mean * mean;
+    for (const auto& [d, n] : per_day) squares += (n - mean) * (n - mean);
+    if (working_days > 1 && mean > 0) {
+      const double degrees = working_days - 1;
       log.dispersion_of_days = squares / degrees / mean;
       const double tail = chi_square_tail(squares / mean, degrees);
       log.dispersion_p_value = std::min(1.0, 2 * std::min(tail, 1 - tail));

@@ -63,7 +63,7 @@ std::filesystem::path notes_file(const std::filesystem::path& database) {
   return database.string() + ".notes";
 }
 
-Notes::Notes(std::filesystem::path database) : file_(notes_file(database)) {}
+Notes::Notes(const std::filesystem::path& database) : file_(notes_file(database)) {}
 
 void Notes::set(Subject subject, std::int64_t id, const Annotation& annotation) const {
   const Annotation a = checked(annotation);

@@ -33,7 +33,7 @@ class Notes {
   static constexpr std::size_t most_tags = 30;         ///< of one subject
 
   /// `database` is the results database. Its notes file is made at the first `set`.
-  explicit Notes(std::filesystem::path database);
+  explicit Notes(const std::filesystem::path& database);
 
   /// Replaces note and tags of a run or a study. Tags are trimmed, sorted and made unique; empty ones are
   /// dropped. Throws std::invalid_argument when something is too long or too many, or no UTF-8 text.

@@ -253,6 +253,45 @@ TEST_CASE("arrivals: Poisson in the day shift is seen as such", "[fit]") {
   CHECK_THROWS_WITH(read_arrivals(mixed.path(), {}, 0.95), Contains("cannot be one time axis"));
 }
 
+TEST_CASE("exposure and scatter of days are those of a count day by day, over any years", "[fit]") {
+  // 15 working days of two weeks and a bit, from a Wednesday on; arrivals at weekends are not of the working
+  // days.
+  const File file(
+      "Date;Quantity\n2027-02-03 08:10;1\n2027-02-03 09:10;1\n2027-02-05 14:30;1\n2027-02-06 09:00;1\n"
+      "2027-02-10 07:00;1\n2027-02-23 10:00;1\n");
+  const ArrivalLog log =
+      read_arrivals(file.path(), {.calendar = WorkCalendar("07:00-15:00", "mon-fri")}, 0.95);
+  std::vector<double> per_day;
+  double hours = 0;
+  for (int d = 0; d <= 20; ++d) {  // 3 February 2027 is a Wednesday
+    if ((d + 2) % 7 >= 5) continue;
+    hours += 8;
+    per_day.push_back(d == 0 ? 2 : d == 2 || d == 7 || d == 20 ? 1 : 0);
+  }
+  double exposed = 0;
+  for (const RateSlot& slot : log.weekdays) exposed += slot.exposure_h;
+  CHECK(exposed == Approx(hours));
+  CHECK(log.weekdays[2].exposure_h == Approx(24));  // three Wednesdays
+  CHECK(log.weekdays[0].exposure_h == Approx(24));  // the 8th, 15th and 22nd
+  CHECK(log.weekdays[3].exposure_h == Approx(16));
+  CHECK(log.weekdays[5].exposure_h == 0);
+  CHECK(log.weekdays[5].arrivals == 1);
+  CHECK(log.hours[7].exposure_h == Approx(15));
+  CHECK(log.hours[15].exposure_h == 0);
+  double mean = 0;
+  for (const double n : per_day) mean += n / static_cast<double>(per_day.size());
+  double squares = 0;
+  for (const double n : per_day) squares += (n - mean) * (n - mean);
+  CHECK(log.dispersion_of_days == Approx(squares / static_cast<double>(per_day.size() - 1) / mean));
+  // A year that is a typing error must not cost minutes.
+  const File far("Date;Quantity\n1900-01-01 08:00;1\n2027-02-03 09:10;1\n9999-12-31 08:00;1\n");
+  const ArrivalLog long_log =
+      read_arrivals(far.path(), {.calendar = WorkCalendar("07:00-15:00", "mon-fri")}, 0.95);
+  double days = 0;
+  for (const RateSlot& slot : long_log.weekdays) days += slot.exposure_h / 8;
+  CHECK(days == Approx(2'958'464.0 * 5 / 7).epsilon(1e-5));
+}
+
 TEST_CASE("a known profile of the week comes back as a weekly profile", "[fit]") {
   // 2 an hour in the morning, 4 after noon, Fridays half of it, nothing at night and at weekends; 28 weeks.
   const auto rate = [](int weekday, int hour) {
