@@ -78,7 +78,7 @@ class TaskBranch final : public Awaitable<TaskBranch<T>, LinkedWaiter> {
 // What may stand in first_of(...): a wait, a process (its end), a task, or anything with wait().
 template <class W>
 requires std::is_base_of_v<Waiter, W> W as_waiter(W&& waiter) {
-  return std::move(waiter);
+  return std::move(waiter);  // NOLINT: W is no reference, or Waiter would be no base of it
 }
 inline Join as_waiter(const Process& process) {
   return process.join();

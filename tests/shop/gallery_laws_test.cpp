@@ -47,7 +47,7 @@ void check_covers(const Intervals& intervals, double horizon_min) {
 
 }  // namespace
 
-TEST_CASE("every shop of the gallery keeps the laws, on one thread as on two", "[shop][gallery]") {
+TEST_CASE("every shop of the gallery keeps the laws, on one thread as on two", "[shop][gallery][threads]") {
   REQUIRE(shops().size() > 8);
   for (const auto& file : shops()) {
     INFO(file);

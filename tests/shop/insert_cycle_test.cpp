@@ -159,7 +159,7 @@ TEST_CASE("times and money add up in every replication") {
   }
 }
 
-TEST_CASE("the same seed gives the same bits on any number of threads, another seed does not") {
+TEST_CASE("the same seed gives the same bits on any number of threads, another seed does not", "[threads]") {
   const json text = scenarios::read_json_file(VERSTAT_SOURCE_DIR "/scenarios/gallery/heavy-lathe.json");
   const auto small =
       scenarios::load(scenarios::apply(text, {scenarios::parse_change("/simulation/horizon_min=30000")}));

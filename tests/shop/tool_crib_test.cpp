@@ -209,7 +209,7 @@ TEST_CASE("a grinding wheel without inserts is dressed when its time has come", 
               100 * plan.main_time_min / plan.more_elements[0].mean_min);
 }
 
-TEST_CASE("the tool galleries conserve edges, copies and time, on any number of threads") {
+TEST_CASE("the tool galleries conserve edges, copies and time, on any number of threads", "[threads]") {
   for (const char* name :
        {"tools-face-mill", "tools-unattended", "tools-drills", "tools-elements", "tools-certified-inserts"}) {
     INFO(name);

@@ -1,8 +1,9 @@
 // Runs and studies started from the pages: what is asked is checked here as the command line would, then
 // given to the queue.
 
+#include <bit>
 #include <cmath>
-#include <cstring>
+#include <cstdint>
 
 #include <fmt/format.h>
 
@@ -64,7 +65,7 @@ std::string study_result(const std::string& output) {
 
 bool same_bits(const std::optional<double>& a, const std::optional<double>& b) {
   if (!a || !b) return !a && !b;
-  return std::memcmp(&*a, &*b, sizeof(double)) == 0;
+  return std::bit_cast<std::uint64_t>(*a) == std::bit_cast<std::uint64_t>(*b);
 }
 
 /// Every value of every replication of two runs, compared bit for bit.
