@@ -41,11 +41,11 @@ struct Words {
 };
 Words words_of(const std::vector<unsigned>& generators) {
   Words words;
-  for (unsigned set = 1; set < (1U << generators.size()); ++set) {
-    unsigned base = 0;
-    for (std::size_t g = 0; g < generators.size(); ++g)
-      if ((set >> g) & 1U) base ^= generators[g];
-    const int length = std::popcount(base) + std::popcount(set);
+  // Sets in the order of Gray's code: each differs from the one before in one generator.
+  unsigned base = 0;
+  for (unsigned k = 1; k < (1U << generators.size()); ++k) {
+    base ^= generators[static_cast<std::size_t>(std::countr_zero(k))];
+    const int length = std::popcount(base) + std::popcount(k ^ (k >> 1U));
     if (length < words.shortest) words = {length, 0};
     if (length == words.shortest) ++words.count;
   }

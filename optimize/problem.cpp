@@ -8,6 +8,7 @@
 
 #include "models/catalogue/catalogue.h"
 #include "models/catalogue/closest.h"
+#include "models/catalogue/shortened.h"
 #include "optimize/problem_world.h"
 #include "scenarios/model_json.h"
 
@@ -89,18 +90,18 @@ Problem::Problem(const StudySpec& study, json scenario, std::vector<Shift> shift
       if (address == nullptr)
         throw InputError(at + "/pointer",
                          fmt::format("{}/pointer = \"{}\", leads to no continuous number of the scenario", at,
-                                     v.pointer.substr(0, 200)));
+                                     models::shortened(v.pointer, 200)));
       baseline_.push_back(*address);
       continue;
     }
     const json* present = find(scenario_, v.pointer);
     if (present == nullptr)
       throw InputError(at + "/pointer", fmt::format("{}/pointer = \"{}\", leads to nothing in the scenario",
-                                                    at, v.pointer.substr(0, 200)));
+                                                    at, models::shortened(v.pointer, 200)));
     if (v.type == VariableType::integer) {
       if (!present->is_number_integer())
         throw InputError(at + "/pointer", fmt::format("{}/pointer = \"{}\", leads to {}, no whole number", at,
-                                                      v.pointer, present->dump().substr(0, 100)));
+                                                      v.pointer, models::shortened(present->dump(), 100)));
       baseline_.push_back(present->get<double>());
       continue;
     }
@@ -109,7 +110,7 @@ Problem::Problem(const StudySpec& study, json scenario, std::vector<Shift> shift
     if (option == v.options.size())
       throw InputError(at + "/options",
                        fmt::format("{}/options: what the scenario has, {}, must be one of them", at,
-                                   present->dump().substr(0, 200)));
+                                   models::shortened(present->dump(), 200)));
     baseline_.push_back(static_cast<double>(option));
   }
   check_bounds();
@@ -164,7 +165,7 @@ std::unique_ptr<Problem::World> Problem::make_world(const json& text, bool with_
     if (address == nullptr)
       throw InputError("/uncertain",
                        fmt::format("/uncertain: \"{}\" leads to no continuous number of the scenario",
-                                   shift.pointer.substr(0, 200)));
+                                   models::shortened(shift.pointer, 200)));
     *address *= shift.factor;
   }
   for (const Variable& v : study_.variables)
@@ -173,11 +174,8 @@ std::unique_ptr<Problem::World> Problem::make_world(const json& text, bool with_
   if (with_model && not_covered_.empty()) try {
       world->model = std::make_unique<LongRunModel>(world->scenario);
     } catch (const InputError& e) {
-      if (baseline_world_ == nullptr) {
-        not_covered_ = e.what();
-      } else {
-        world->refused = e.what();
-      }
+      // A setting that only the simulation knows: its plans are known all the same.
+      if (baseline_world_ == nullptr) not_covered_ = e.what();
     }
   return world;
 }
@@ -305,9 +303,9 @@ Checked Problem::check_function(const Condition& c, World& world) const {
   models::Value::Map inputs = *c.inputs.map();
   for (auto& [name, input] : inputs)
     if (const std::string* pointer = pointer_in(input)) {
-      const double* address = locate(world.scenario, *pointer);
-      if (address == nullptr) throw InputError("", fmt::format("\"{}\" leads to no number here", *pointer));
-      input = models::Value(*address);
+      auto there = input_at(world, *pointer);
+      if (!there) throw InputError("", fmt::format("\"{}\" leads to nothing here", *pointer));
+      input = std::move(*there);
     }
   const models::Value outputs = c.function->evaluate(models::Value(std::move(inputs)));
   const models::Value* output = outputs.find(c.item);

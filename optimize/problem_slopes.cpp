@@ -39,15 +39,26 @@ std::vector<std::size_t> operations_behind(const Scenario& s, const std::vector<
       behind = scenarios::find_named(s.tools, operation.tool)->insert == s.inserts[index].name;
     if (behind) all.push_back(o);
   }
+  // What takes parts as one of these leaves them, and what takes them from there.
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (std::size_t o = 0; o < s.operations.size(); ++o) {
+      const auto& incoming = s.operations[o].incoming;
+      const bool receives = std::any_of(incoming.begin(), incoming.end(), [&](const scenarios::Incoming& i) {
+        return i.from == s.operations[all[k]].name;
+      });
+      if (receives && std::find(all.begin(), all.end(), o) == all.end()) all.push_back(o);
+    }
   return all;
 }
 
-// Main time and life of turning are powers of the regime (K117): their derivatives in closed form.
+// Main time and life of turning are powers of the regime (K117), but where hot spots wear the edge besides
+// (K110): their derivatives in closed form.
 std::optional<PlanSlope> turning_slope(const Scenario& s, const scenarios::Operation& operation,
                                        const operations::CutPlan& plan, const std::string& member,
                                        double value) {
   const auto* turning = operation.process.as<operations::Turning>();
-  if (turning == nullptr || turning->scrap_above_roughness || plan.overload || plan.breakage_probability > 0)
+  if (turning == nullptr || turning->scrap_above_roughness || turning->contact || plan.overload ||
+      plan.breakage_probability > 0)
     return std::nullopt;
   double time_power = 0;
   double life_power = 0;
@@ -120,7 +131,8 @@ Problem::Slope Problem::slope(World& world, const Look& look, std::size_t variab
   for (const std::size_t o : behind) {
     const scenarios::Operation& operation = world.scenario.operations[o];
     std::optional<PlanSlope> exact;
-    if (place[0] == "operations" && place.size() == 4)
+    if (place[0] == "operations" && place.size() == 4 && o == index_of(place[1]) &&
+        operation.incoming.empty())
       exact = turning_slope(world.scenario, operation, look.long_run->plans[o], place[3], value);
     const bool constrained = std::any_of(conditions_.begin(), conditions_.end(), [&](const Condition& c) {
       return c.operation == o && (c.kind == Condition::Kind::quantity || c.kind == Condition::Kind::limit ||

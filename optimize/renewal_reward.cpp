@@ -95,14 +95,10 @@ struct LongRunModel::Cache {
     std::size_t loading_crew = nobody;
     std::size_t overload_crew = nobody;
     std::size_t families = 0;
-    double open_share = 1;        // of the calendar
-    double closings_per_min = 0;  // ends of shifts
-    bool finishes = false;        // a part in work at the end of the shift
   };
   std::vector<OperationAt> operations;
   std::vector<ToolAt> tools;
   std::vector<GroupAt> groups;
-  std::vector<double> crew_open_share;
   std::vector<std::string> families;
   std::vector<scenarios::Route> routes;
   // Part types with blanks always at hand, by the group of their first operation.
@@ -181,23 +177,7 @@ LongRunModel::LongRunModel(const scenarios::Scenario& scenario)
         has[operation.family] = true;
         ++at.families;
       }
-    if (const auto* calendar = scenarios::find_named(scenario.calendars, machine.calendar)) {
-      const scenarios::WorkingTime hours(*calendar);
-      at.open_share = hours.open_share();
-      at.finishes = machine.part_at_shift_end == scenarios::AtShiftEnd::finish;
-      double time_min = 0;
-      for (int changes = 0; changes < 10'000; ++changes) {
-        const bool open = hours.open(time_min);
-        time_min = hours.next_change_min(time_min);
-        if (time_min > scenarios::minutes_per_week) break;
-        if (open) at.closings_per_min += 1 / scenarios::minutes_per_week;
-      }
-    }
     c.groups.push_back(std::move(at));
-  }
-  for (const Crew& crew : scenario.crews) {
-    const auto* calendar = scenarios::find_named(scenario.calendars, crew.calendar);
-    c.crew_open_share.push_back(calendar == nullptr ? 1 : scenarios::WorkingTime(*calendar).open_share());
   }
   c.unlimited.resize(scenario.machines.size());
   for (std::size_t p = 0; p < scenario.parts.size(); ++p) {
@@ -390,6 +370,7 @@ class LongRunModel::Flow {
  public:
   Flow(const LongRunModel& model, LongRunOf<N>& run, const Reading<N>& read)
       : scenario_(model.scenario_), c_(*model.cache_), run_(run), read_(read) {
+    for (const scenarios::Calendar& calendar : scenario_.calendars) hours_.push_back(hours_within(calendar));
     for (std::size_t g = 0; g < scenario_.machines.size(); ++g)
       calendar_stops_.push_back(stops_by_the_wall(g));
   }
@@ -501,10 +482,11 @@ class LongRunModel::Flow {
         run_.bottleneck = g;
     }
     N shift_cost = 0;  // per minute
-    for (std::size_t k = 0; k < scenario_.crews.size(); ++k) {
-      const Crew& crew = scenario_.crews[k];
-      if (crew.pay == scenarios::CrewPay::shift)
-        shift_cost += read_(crew.rate_per_min) * static_cast<double>(crew.members) * c_.crew_open_share[k];
+    for (const Crew& crew : scenario_.crews) {
+      if (crew.pay != scenarios::CrewPay::shift) continue;
+      // By the month's wage where it is given: a study may move it.
+      const N rate = crew.wages ? N(scenarios::wage_fund_per_min(crew)) : read_(crew.rate_per_min);
+      shift_cost += rate * static_cast<double>(crew.members) * hours_of(crew.calendar).open_share;
     }
 
     constexpr double none = std::numeric_limits<double>::infinity();
@@ -523,6 +505,11 @@ class LongRunModel::Flow {
     N share = 0;         // of the group's time
     N cost_per_min = 0;  // besides machine minutes
   };
+  // Of a calendar in an ordinary week; the hours are numbers that a study may move.
+  struct Hours {
+    double open_share = 1;
+    double closings_per_min = 0;  // ends of shifts
+  };
   struct SetupWork {
     N minutes = 0;  // machine minutes per minute
     N cost = 0;     // money per minute besides machine minutes
@@ -530,6 +517,25 @@ class LongRunModel::Flow {
 
   [[nodiscard]] double size_of(std::size_t part) const {
     return static_cast<double>(scenario_.parts[part].batch_size);
+  }
+
+  [[nodiscard]] Hours hours_of(const std::string& name) const {
+    const auto* calendar = scenarios::find_named(scenario_.calendars, name);
+    return calendar == nullptr ? Hours()
+                               : hours_[static_cast<std::size_t>(calendar - scenario_.calendars.data())];
+  }
+  [[nodiscard]] static Hours hours_within(const scenarios::Calendar& calendar) {
+    Hours all;
+    const scenarios::WorkingTime hours(calendar);
+    all.open_share = hours.open_share();
+    double time_min = 0;
+    for (int changes = 0; changes < 10'000; ++changes) {
+      const bool open = hours.open(time_min);
+      time_min = hours.next_change_min(time_min);
+      if (time_min > scenarios::minutes_per_week) break;
+      if (open) all.closings_per_min += 1 / scenarios::minutes_per_week;
+    }
+    return all;
   }
 
   [[nodiscard]] WallStops stops_by_the_wall(std::size_t g) const {
@@ -555,9 +561,11 @@ class LongRunModel::Flow {
 
   // Machine minutes per minute that are paid: within the calendar, and the ends of parts begun within it.
   [[nodiscard]] N on_shift(std::size_t g) const {
-    const auto& group = c_.groups[g];
-    const auto count = static_cast<double>(scenario_.machines[g].count);
-    if (group.closings_per_min == 0 || !group.finishes) return count * group.open_share;
+    const Hours hours = hours_of(scenario_.machines[g].calendar);
+    const Machine& machine = scenario_.machines[g];
+    const auto count = static_cast<double>(machine.count);
+    if (hours.closings_per_min == 0 || machine.part_at_shift_end != scenarios::AtShiftEnd::finish)
+      return count * hours.open_share;
     // Longer parts are met more often when the shift ends.
     N minutes = 0;
     N overruns = 0;
@@ -569,7 +577,7 @@ class LongRunModel::Flow {
           overruns += work_min * overrun(o);
         }
     const N overrun_min = value_of(minutes) > 0 ? overruns / minutes : N(0);
-    return count * (group.open_share + group.closings_per_min * overrun_min);
+    return count * (hours.open_share + hours.closings_per_min * overrun_min);
   }
   // How long a part goes on after the shift: half of it on the average, or until its edge must be changed by
   // somebody who has gone home.
@@ -637,6 +645,7 @@ class LongRunModel::Flow {
   std::vector<std::vector<N>> batches_;  // batches likewise
   std::vector<N> pace_;
   std::vector<WallStops> calendar_stops_;
+  std::vector<Hours> hours_;  // by calendar
 };
 
 LongRun LongRunModel::evaluate() const {

@@ -108,10 +108,7 @@ Refined refine(const NoisyProblem& problem, const std::vector<std::vector<double
     if (level == 0)
       for (const SearchResult& r : found)
         if (from.size() < 2 && r.x != from.front()) from.push_back(r.x);
-    if (left < 1) {
-      n *= 2;
-      break;
-    }
+    if (left < 1) break;
   }
   const std::int64_t last = refined.replications;
   for (const auto& x : visited) {

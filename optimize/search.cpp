@@ -26,9 +26,9 @@ class Search {
   Search(const Measure& measure, const std::vector<Bounds>& bounds, const SearchOptions& options)
       : measure_(measure), bounds_(bounds), options_(options) {}
 
-  // One NLopt run from `start` with at most `evaluations` more.
+  // One NLopt run from `start` with at most `evaluations` >= 1 more.
   void run(nlopt::algorithm algorithm, const std::vector<double>& start, int evaluations, double tolerance) {
-    if (evaluations < 1 || result_.evaluations >= options_.max_evaluations) return;
+    if (result_.evaluations >= options_.max_evaluations) return;
     const auto n = static_cast<unsigned>(bounds_.size());
     if (n < 2 && algorithm == nlopt::LN_NEWUOA_BOUND) algorithm = nlopt::LN_SBPLX;  // needs two
     budget_ = std::min(options_.max_evaluations, result_.evaluations + evaluations);
@@ -40,8 +40,7 @@ class Search {
     try {
       margins = at(u).margins.size();
     } catch (const nlopt::forced_stop&) {
-      if (error_) std::rethrow_exception(error_);
-      return;
+      std::rethrow_exception(error_);  // there is room for one evaluation: the measure has thrown
     }
 
     nlopt::opt opt(algorithm, n);
@@ -252,12 +251,11 @@ class Search {
 };
 
 nlopt::algorithm by_name(const std::string& name) {
-  const int a = nlopt_algorithm_from_string(name.c_str());
-  if (a < 0 || a >= NLOPT_NUM_ALGORITHMS)
+  if (!known_algorithm(name))
     throw std::invalid_argument("algorithm \"" + name +
                                 "\" is unknown; for instance LN_BOBYQA, LN_COBYLA, LD_SLSQP, GN_DIRECT_L, "
                                 "GN_CRS2_LM, GN_ISRES");
-  return static_cast<nlopt::algorithm>(a);
+  return static_cast<nlopt::algorithm>(nlopt_algorithm_from_string(name.c_str()));
 }
 
 // A point of the box, the same for the same seed and number.
@@ -302,6 +300,8 @@ SearchResult minimize(const Measure& measure, const std::vector<Bounds>& bounds,
                       const std::vector<double>& start, const SearchOptions& options) {
   if (bounds.empty() || bounds.size() != start.size())
     throw std::invalid_argument("a search needs at least one variable, and a start for each");
+  for (const std::string& name : {options.algorithm, options.local_algorithm})
+    if (!name.empty()) (void)by_name(name);  // before the first run takes it for an inner search
   Search search(measure, bounds, options);
   const int all = options.max_evaluations;
   const double precision = options.relative_precision;

@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "models/catalogue/closest.h"
+#include "models/catalogue/shortened.h"
 #include "sim/kernel/output_analysis.h"
 #include "sim/kernel/random_stream.h"
 
@@ -549,6 +550,30 @@ class Run {
   bool simulating_ = false;  // stage one is over
 };
 
+// What a variable may become must be covered, too: a strategy among the options, a time that is zero today.
+void check_covered_within(const Problem& problem) {
+  const std::vector<Variable>& variables = problem.study().variables;
+  for (std::size_t k = 0; k < variables.size(); ++k) {
+    const Variable& v = variables[k];
+    std::vector<double> ends{v.low, v.high};
+    if (v.type == VariableType::categorical)
+      for (double option = v.low + 1; option < v.high; option += 1) ends.push_back(option);
+    for (const double x : ends) try {
+        const Scenario there =
+            scenarios::load(scenarios::apply(problem.scenario(), {{v.pointer, value_at(v, x)}}));
+        (void)LongRunModel(there);
+      } catch (const InputError& e) {
+        throw InputError(
+            "/simulation/trials",
+            fmt::format("/simulation/trials = 0, but with /variables/{} at {} only simulation can tell: {}",
+                        k, models::shortened(text_at(v, x), 200), e.what()));
+      } catch (const models::ModelError&) {
+        // A regime that the process models refuse: an undefined point.
+      } catch (const models::DomainError&) {
+      }
+  }
+}
+
 }  // namespace
 
 void check_study(const Problem& problem) {
@@ -558,6 +583,11 @@ void check_study(const Problem& problem) {
         "/simulation/trials",
         fmt::format("/simulation/trials = 0, but {}: only simulation can tell, so it needs trials",
                     problem.not_covered()));
+  const bool long_run = std::any_of(study.objectives.begin(), study.objectives.end(),
+                                    [](const ObjectiveSpec& o) { return !o.kpi.empty(); }) ||
+                        std::any_of(study.constraints.begin(), study.constraints.end(),
+                                    [](const ConstraintSpec& c) { return !c.kpi.empty(); });
+  if (long_run && study.simulation.trials == 0) check_covered_within(problem);
   if (study.robust.samples > 0 && study.uncertain.empty())
     throw InputError("/robust", "/robust: say in /uncertain which inputs are uncertain, and by how much");
   for (const UncertainSpec& input : study.uncertain)
@@ -569,7 +599,7 @@ void check_study(const Problem& problem) {
     if (std::find(names.begin(), names.end(), kpi) == names.end())
       throw InputError(
           at, fmt::format("{} = \"{}\", there is no such KPI in a run of the scenario; closest: \"{}\"", at,
-                          kpi.substr(0, 100), models::closest(kpi, names)));
+                          models::shortened(kpi, 100), models::closest(kpi, names)));
   };
   const bool simulates = study.simulation.trials > 0 || study.front.replications > 0;
   for (std::size_t k = 0; k < study.objectives.size(); ++k) {
@@ -584,15 +614,19 @@ void check_study(const Problem& problem) {
     if (o.function.empty() && (k == 0 || simulates))
       check(o.kpi, study.objectives.size() > 1 ? fmt::format("/objectives/{}/kpi", k) : "/objective/kpi");
   }
-  for (const Condition& c : problem.conditions())
-    if (c.kind == Condition::Kind::kpi && (study.simulation.trials > 0 || !c.long_run_kpi))
-      check(c.item, "/constraints/kpi");
-  if (study.simulation.trials == 0)
-    for (const Condition& c : problem.conditions())
-      if (c.kind == Condition::Kind::kpi && !c.long_run_kpi)
-        throw InputError(
-            "/simulation/trials",
-            fmt::format("/simulation/trials = 0, but only simulation knows \"{}\" of a constraint", c.item));
+  // Of every constraint on a KPI there is one condition, in the same order.
+  auto condition = problem.conditions().begin();
+  for (std::size_t k = 0; k < study.constraints.size(); ++k) {
+    const std::string& kpi = study.constraints[k].kpi;
+    if (kpi.empty()) continue;
+    while (condition->kind != Condition::Kind::kpi) ++condition;
+    const bool known = (condition++)->long_run_kpi.has_value();
+    if (study.simulation.trials > 0 || !known) check(kpi, fmt::format("/constraints/{}/kpi", k));
+    if (study.simulation.trials == 0 && !known)
+      throw InputError(
+          "/simulation/trials",
+          fmt::format("/simulation/trials = 0, but only simulation knows \"{}\" of a constraint", kpi));
+  }
 }
 
 StudyAnswer run_study(Problem& problem, Ledger& ledger, const StudyTools& tools) {

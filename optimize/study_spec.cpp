@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "models/catalogue/field.h"
+#include "models/catalogue/shortened.h"
 #include "optimize/search.h"
 #include "scenarios/model_json.h"
 
@@ -298,7 +299,7 @@ StudySpec load_study(const json& study) {
       fail(fmt::format("/search/{}", member),
            fmt::format(" = \"{}\", must be an NLopt algorithm such as LN_BOBYQA, LN_COBYLA, LD_SLSQP, "
                        "GN_DIRECT_L or GN_CRS2_LM, or be left out",
-                       name.substr(0, 100)));
+                       models::shortened(name, 100)));
   for (std::size_t k = 0; k < spec.variables.size(); ++k) {
     Variable& v = spec.variables[k];
     check_variable(v, fmt::format("/variables/{}", k));

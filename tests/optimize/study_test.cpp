@@ -482,7 +482,7 @@ TEST_CASE("a study that cannot be run says why") {
   CHECK(error_of(R"(/constraints=[{"function": "K117.part_coast", "output": "part_cost", "at_most": 1}])")
             .starts_with("/constraints/0/function: K117.part_coast"));
   CHECK(error_of(R"(/constraints=[{"kpi": "beauty", "at_most": 1}])")
-            .starts_with("/constraints/kpi = \"beauty\", there is no such KPI"));
+            .starts_with("/constraints/0/kpi = \"beauty\", there is no such KPI"));
   CHECK(error_of(R"(/constraints=[{"kpi": "lead_time_min", "at_most": 1}])")
             .starts_with("/simulation/trials = 0, but only simulation knows \"lead_time_min\""));
   CHECK(error_of(R"(/robust={"samples": 4})") ==
