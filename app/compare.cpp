@@ -37,13 +37,13 @@ struct Variant {
 };
 
 double number(const std::string& flag, const std::string& text, double low, double high) {
-  double value = std::nan("");
+  double value = 0;
   try {
     std::size_t used = 0;
     value = std::stod(text, &used);
     if (used != text.size()) value = std::nan("");
   } catch (const std::exception&) {
-    // Said below.
+    value = std::nan("");  // said below
   }
   if (!(value > low && value < high))
     throw UsageError(fmt::format("{} {}: must be a number above {:g} and below {:g}", flag,

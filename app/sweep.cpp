@@ -121,12 +121,12 @@ Design design_of(const SweepCommand& c, const std::vector<Factor>& factors, std:
       return optimize::full_factorial(levels);
     }
     if (c.design == "fractional") {
-      int q = std::bit_width(static_cast<unsigned>(k));  // 2^q > k
+      auto q = static_cast<int>(std::bit_width(static_cast<unsigned>(k)));  // 2^q > k
       if (!c.points.empty()) {
         const auto points = static_cast<unsigned>(points_of(c, 0));
         if (!std::has_single_bit(points))
           throw UsageError(fmt::format("--points {}: a fraction has 2, 4, 8, 16, ... points", points));
-        q = std::bit_width(points) - 1;
+        q = static_cast<int>(std::bit_width(points)) - 1;
       }
       return optimize::fractional_factorial(k, std::max(q, 2));
     }

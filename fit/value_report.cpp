@@ -37,7 +37,7 @@ void only(const std::string& file, const json& object, const std::string& where,
   if (!object.is_object())
     refuse(file, fmt::format("{} must be an object", where.empty() ? "the file" : where));
   for (const auto& [key, value] : object.items())
-    if (std::none_of(known.begin(), known.end(), [&](const char* k) { return key == k; }))
+    if (std::find(known.begin(), known.end(), key) == known.end())
       refuse(file, fmt::format("{}/{}: there is no such member", where, key));
 }
 
