@@ -61,7 +61,7 @@ void read_fields(void* object, const std::vector<Field>& fields, const Value& va
     throw DomainError("", fmt::format(" = {}, must be an object with named values", value.to_string()));
   for (const auto& [key, given] : *members) {
     const bool known =
-        std::any_of(fields.begin(), fields.end(), [&](const Field& f) { return f.name == key; });
+        std::any_of(fields.begin(), fields.end(), [&name = key](const Field& f) { return f.name == name; });
     if (known) continue;
     std::vector<std::string> names;
     for (const Field& f : fields) names.push_back(f.name);

@@ -156,7 +156,7 @@ RingFrequencies bearing_natural_frequencies(const RingStiffness& in) {
 Modulation principal_stiffness_modulation(const ModulationInputs& in) {
   return guarded<&principal_stiffness_modulation>(in, [&] {
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix(in.mean));
-    const Eigen::Vector3d k0 = solver.eigenvalues();
+    const Eigen::Vector3d& k0 = solver.eigenvalues();
     if (!(k0(0) > 0))
       throw DomainError("mean_matrix",
                         fmt::format("mean_matrix has the principal stiffness {}, all three must "
