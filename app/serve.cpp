@@ -41,7 +41,7 @@ void check_token(const std::string& token) {
 }
 
 void serve(const std::string& db, const std::string& host_text, const std::string& port_text,
-           const std::string& token, bool read_only, const std::vector<std::string>& study_flags) {
+           const std::string& token, bool read_only) {
   const std::string host = host_text == "localhost" ? "127.0.0.1" : host_text;
   const std::uint16_t port = port_of(port_text);
   bool loopback = false;
@@ -61,7 +61,8 @@ void serve(const std::string& db, const std::string& host_text, const std::strin
 
   // Jobs run this very program; the link leads to it also when the file has been replaced since.
   auto jobs = read_only ? nullptr : std::make_shared<web::Jobs>("/proc/self/exe");
-  const web::Site site(web::Api(db, VERSTAT_VERSION, jobs, study_flags), web::pages());
+  // Studies say how far they are in a form for programs.
+  const web::Site site(web::Api(db, VERSTAT_VERSION, jobs, {"--progress", "json"}), web::pages());
   web::Guard guard;  // filled in once the port is known, before the first request
   web::HttpServer server({.address = host, .port = port, .body_bytes = largest_body_bytes},
                          [&](const web::Request& request) { return site.answer(guard, request); });
@@ -95,13 +96,7 @@ void add_serve(CLI::App& program) {
       ->envname("VERSTAT_TOKEN");
   command->add_flag("--read-only", *read_only, "start and store nothing: no jobs, no notes");
   command->footer("Example:\n  verstat serve --db verstat.db --port 8080");
-  command->callback([=, &program] {
-    // Studies that can say how far they are in a form for programs are asked to.
-    std::vector<std::string> study_flags;
-    if (program.get_subcommand("optimize")->get_option_no_throw("--progress") != nullptr)
-      study_flags = {"--progress", "json"};
-    serve(options->db, *host, *port, *token, *read_only, study_flags);
-  });
+  command->callback([=] { serve(options->db, *host, *port, *token, *read_only); });
 }
 
 }  // namespace verstat::app

@@ -254,29 +254,28 @@ TEST_CASE("arrivals: Poisson in the day shift is seen as such", "[fit]") {
 }
 
 TEST_CASE("exposure and scatter of days are those of a count day by day, over any years", "[fit]") {
-  // 15 working days of two weeks and a bit, from a Wednesday on; arrivals at weekends are not of the working
-  // days.
+  // Three weeks and a day from a Wednesday on: 16 working days; arrivals at weekends are not of them.
   const File file(
       "Date;Quantity\n2027-02-03 08:10;1\n2027-02-03 09:10;1\n2027-02-05 14:30;1\n2027-02-06 09:00;1\n"
-      "2027-02-10 07:00;1\n2027-02-23 10:00;1\n");
+      "2027-02-10 07:00;1\n2027-02-24 10:00;1\n");
   const ArrivalLog log =
       read_arrivals(file.path(), {.calendar = WorkCalendar("07:00-15:00", "mon-fri")}, 0.95);
   std::vector<double> per_day;
   double hours = 0;
-  for (int d = 0; d <= 20; ++d) {  // 3 February 2027 is a Wednesday
+  for (int d = 0; d <= 21; ++d) {  // 3 February 2027 is a Wednesday
     if ((d + 2) % 7 >= 5) continue;
     hours += 8;
-    per_day.push_back(d == 0 ? 2 : d == 2 || d == 7 || d == 20 ? 1 : 0);
+    per_day.push_back(d == 0 ? 2 : d == 2 || d == 7 || d == 21 ? 1 : 0);
   }
   double exposed = 0;
   for (const RateSlot& slot : log.weekdays) exposed += slot.exposure_h;
   CHECK(exposed == Approx(hours));
-  CHECK(log.weekdays[2].exposure_h == Approx(24));  // three Wednesdays
+  CHECK(log.weekdays[2].exposure_h == Approx(32));  // four Wednesdays
   CHECK(log.weekdays[0].exposure_h == Approx(24));  // the 8th, 15th and 22nd
-  CHECK(log.weekdays[3].exposure_h == Approx(16));
+  CHECK(log.weekdays[3].exposure_h == Approx(24));
   CHECK(log.weekdays[5].exposure_h == 0);
   CHECK(log.weekdays[5].arrivals == 1);
-  CHECK(log.hours[7].exposure_h == Approx(15));
+  CHECK(log.hours[7].exposure_h == Approx(16));
   CHECK(log.hours[15].exposure_h == 0);
   double mean = 0;
   for (const double n : per_day) mean += n / static_cast<double>(per_day.size());
