@@ -330,7 +330,7 @@ TEST_CASE("a job without memory and a job that is killed end in words; the serve
   REQUIRE(ended(start(small_run + db)) == 0);
   fs::create_directories(w.file("tmp"));
   const auto over = [](const Served& server, int id) {
-    for (int k = 0; k < 4000; ++k) {
+    for (int k = 0; k < 30'000; ++k) {
       const json status = server.get("/api/v1/jobs/" + std::to_string(id)).parsed();
       if (status["state"] != "queued" && status["state"] != "running") return status;
       std::this_thread::sleep_for(std::chrono::milliseconds(5));

@@ -1,6 +1,7 @@
 // Every function of the catalogue: {"function": key, "inputs": {...}}, what a line of verstat models eval
 // --batch holds.
 #include <cmath>
+#include <set>
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -42,6 +43,18 @@ const models::Function& function_of(const std::string& key) {
   return sum % 61 == 0 ? models::catalogue().at(key) : *all[sum % all.size()];
 }
 
+// These sweep a whole gear or polygon and take up to ten thousand times as long as the others: one input in
+// 64 looks at them, so that all functions get their share of a run.
+bool has_its_turn(const models::Function& f, std::string_view bytes) {
+  static const std::set<std::string_view> slow = {"K101.hobbing_load_summary", "S3.rk_tooth_positions",
+                                                  "K207.closed_loop_spectral_radius", "K309.track_max_gap",
+                                                  "K301.polygon_milling_time"};
+  if (!slow.contains(f.key)) return true;
+  std::size_t sum = 0;
+  for (const char c : bytes) sum = sum * 131 + static_cast<unsigned char>(c);
+  return sum % 64 == 0;
+}
+
 void eat(std::string_view bytes) {
   try {
     const json point = scenarios::parse_json(bytes);
@@ -50,7 +63,7 @@ void eat(std::string_view bytes) {
     const auto inputs = point.find("inputs");
     if (function == point.end() || !function->is_string() || inputs == point.end()) return;
     const models::Function& f = function_of(function->get_ref<const std::string&>());
-    check_finite(f.evaluate(scenarios::to_value(*inputs)), f.key);
+    if (has_its_turn(f, bytes)) check_finite(f.evaluate(scenarios::to_value(*inputs)), f.key);
   } catch (const scenarios::InputError& e) {
     check_words(e.what());
   } catch (const models::ModelError& e) {
