@@ -1,4 +1,4 @@
-// What must hold of every shop, asked of every shop of the gallery for a few weeks: nothing is lost or made
+// What must hold of every shop, asked of every shop of the gallery for a week: nothing is lost or made
 // from nothing, threads change nothing, the trace covers every minute of every machine and member of a crew
 // once.
 #include <cmath>
@@ -15,7 +15,7 @@ using namespace verstat::test;
 
 namespace {
 
-constexpr double weeks_min = 20'000;
+constexpr double week_min = 10'080;
 
 std::vector<std::filesystem::path> shops() {
   std::vector<std::filesystem::path> all;
@@ -28,7 +28,7 @@ std::vector<std::filesystem::path> shops() {
 
 scenarios::Scenario shortened(const std::filesystem::path& file) {
   json text = scenarios::read_json_file(file.string());
-  text["simulation"]["horizon_min"] = std::min(weeks_min, text["simulation"].value("horizon_min", weeks_min));
+  text["simulation"]["horizon_min"] = std::min(week_min, text["simulation"].value("horizon_min", week_min));
   text["simulation"]["warmup_min"] = text["simulation"]["horizon_min"].get<double>() / 10;
   text["simulation"]["replications"] = 2;
   return scenarios::load(text);
