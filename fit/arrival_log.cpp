@@ -147,7 +147,10 @@ ArrivalLog read_arrivals(const std::string& path, const ArrivalOptions& options,
     // Every week works alike: so many days of each kind, each with these hours.
     std::array<double, 7> days{};
     for (std::int64_t d = 0; d < 7; ++d)
-      if (last - first >= d) days[weekday(first + d)] = static_cast<double>((last - first - d) / 7 + 1);
+      if (last - first >= d) {
+        const std::int64_t whole_weeks = (last - first - d) / 7;
+        days[weekday(first + d)] = static_cast<double>(whole_weeks + 1);
+      }
     std::array<bool, 7> works{};
     for (std::size_t d = 0; d < 7; ++d)
       for (std::size_t h = 0; h < 24; ++h) {

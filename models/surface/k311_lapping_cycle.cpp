@@ -161,8 +161,8 @@ BestReset best_lap_reset(const LapReset& in) {
     const double slope = in.growth * in.first_min;
     const double most = static_cast<double>(in.parts_max);
     const double real = slope > 0 ? std::clamp(std::sqrt(2 * in.change_min / slope), 1.0, most) : most;
-    const auto below = static_cast<std::int64_t>(real);
-    const std::int64_t above = std::min(below + 1, in.parts_max);
+    const std::int64_t below = real < most ? static_cast<std::int64_t>(real) : in.parts_max;
+    const std::int64_t above = below < in.parts_max ? below + 1 : below;
     const double best = std::min(reset_run_min(in, below), reset_run_min(in, above));
     const auto as_good = [&](std::int64_t n) { return reset_run_min(in, n) <= best + 1e-12; };
     // Smallest n as good as the best: the run time falls up to there.
